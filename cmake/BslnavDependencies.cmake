@@ -1,0 +1,30 @@
+# Everything outside the project, found once. The list of Debian packages is share/debian-packages.txt;
+# the installed package finds the same things again through this file.
+include(CMakeFindDependencyMacro)
+macro(bslnav_find)
+  if(CMAKE_FIND_PACKAGE_NAME)
+    find_dependency(${ARGN})
+  else()
+    find_package(${ARGN} REQUIRED)
+  endif()
+endmacro()
+
+foreach(component IN ITEMS config containers kinematics maps math nav obs poses random slam system)
+  bslnav_find(mrpt-${component})
+endforeach()
+bslnav_find(Eigen3)
+bslnav_find(OpenCV COMPONENTS core imgproc imgcodecs)
+bslnav_find(embree 3)
+bslnav_find(CLI11)
+bslnav_find(nlohmann_json)
+
+# Debian's Embree and OpenCV configurations define no usable interface targets of their own.
+if(NOT TARGET bslnav::embree)
+  add_library(bslnav::embree INTERFACE IMPORTED)
+  target_link_libraries(bslnav::embree INTERFACE embree)
+endif()
+if(NOT TARGET bslnav::opencv)
+  add_library(bslnav::opencv INTERFACE IMPORTED)
+  target_link_libraries(bslnav::opencv INTERFACE opencv_core opencv_imgproc opencv_imgcodecs)
+  target_include_directories(bslnav::opencv SYSTEM INTERFACE ${OpenCV_INCLUDE_DIRS})
+endif()
