@@ -1,0 +1,58 @@
+#include <bslnav/simulation/Pedestrian.h>
+
+#include <cmath>
+
+namespace bslnav {
+namespace {
+
+using mrpt::math::TPoint2D;
+
+double cross(const TPoint2D& a, const TPoint2D& b) { return a.x * b.y - a.y * b.x; }
+
+/** Fraction of the way `from` → `to` at which the segment a–b is met; NaN when it is not. */
+double crossing(const TPoint2D& from, const TPoint2D& to, const TPoint2D& a, const TPoint2D& b) {
+  const TPoint2D way = to - from, line = b - a;
+  const double determinant = cross(way, line);
+  const double fraction = cross(a - from, line) / determinant;  // infinite or NaN when parallel
+  const double alongLine = cross(a - from, way) / determinant;
+  const bool meets = fraction >= 0.0 && fraction <= 1.0 && alongLine >= 0.0 && alongLine <= 1.0;
+  return meets ? fraction : std::nan("");
+}
+
+}  // namespace
+
+Pedestrian::Pedestrian(const PedestrianParameters& parameters) : parameters_(parameters) {
+  const auto& path = parameters_.path_m;
+  for (std::size_t i = 1; i < path.size(); ++i) pathLength_m_ += (path[i] - path[i - 1]).norm();
+  if (parameters_.triggerLine_m.empty()) start_s_ = parameters_.startDelay_s;
+}
+
+void Pedestrian::observeRobot(const TPoint2D& from, double from_s, const TPoint2D& to,
+                              double to_s) {
+  if (std::isfinite(start_s_)) return;
+  const auto& line = parameters_.triggerLine_m;
+  const double fraction = crossing(from, to, line[0], line[1]);
+  if (!std::isnan(fraction))
+    start_s_ = from_s + fraction * (to_s - from_s) + parameters_.startDelay_s;
+}
+
+TPoint2D Pedestrian::position(double time_s) const {
+  const auto& path = parameters_.path_m;
+  if (!started(time_s)) return path.front();
+  double left_m = (time_s - start_s_) * parameters_.speed_mps;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const TPoint2D segment = path[i] - path[i - 1];
+    const double length_m = segment.norm();
+    if (left_m < length_m) return path[i - 1] + segment * (left_m / length_m);
+    left_m -= length_m;
+  }
+  return path.back();
+}
+
+double Pedestrian::speed_mps(double time_s) const {
+  const bool walking =
+      started(time_s) && (time_s - start_s_) * parameters_.speed_mps < pathLength_m_;
+  return walking ? parameters_.speed_mps : 0.0;
+}
+
+}  // namespace bslnav
