@@ -1,0 +1,19 @@
+#pragma once
+
+#include <bslnav/pictures/Picture.h>
+
+#include <string>
+#include <vector>
+
+namespace bslnav {
+
+struct PictureTile {
+  Picture picture;
+  std::string caption;  ///< for example "t = 12.3 s"
+};
+
+/** Puts pictures beside each other, row by row, `columns` a row, each under its caption.
+ *  Every tile gets the size of the largest one. @param title above all of them; empty for none */
+Picture tiled(const std::vector<PictureTile>& tiles, int columns, const std::string& title = "");
+
+}  // namespace bslnav

@@ -1,0 +1,35 @@
+#include <bslnav/pictures/PictureTiles.h>
+
+#include <algorithm>
+
+#include "PictureHeading.h"
+
+namespace bslnav {
+
+Picture tiled(const std::vector<PictureTile>& tiles, int columns, const std::string& title) {
+  constexpr int kMargin = 20, kCaptionHeight = 34;
+  const TextStyle captionStyle{15.0, palette::kInk, true, false};
+  const int count = static_cast<int>(tiles.size());
+  columns = std::clamp(columns, 1, std::max(1, count));
+  int width = 0, height = 0;
+  for (const PictureTile& tile : tiles) {
+    width = std::max(width, tile.picture.width);
+    height = std::max(height, tile.picture.height);
+  }
+  const int rows = (count + columns - 1) / columns, cellHeight = kCaptionHeight + height + kMargin;
+  const int pageWidth = kMargin + columns * (width + kMargin);
+  const PictureHeading heading(title, "", pageWidth - 2.0 * kMargin);
+  const int top = kMargin + static_cast<int>(heading.height());
+
+  PictureCanvas page(pageWidth, top + rows * cellHeight);
+  heading.draw(page, {double(kMargin), double(kMargin)});
+  for (int i = 0; i < count; ++i) {
+    const PictureTile& tile = tiles[static_cast<std::size_t>(i)];
+    const int x = kMargin + (i % columns) * (width + kMargin), y = top + (i / columns) * cellHeight;
+    page.text({x + width / 2.0, y + 20.0}, tile.caption, captionStyle, TextAlign::Centre);
+    page.paste(tile.picture, x + (width - tile.picture.width) / 2, y + kCaptionHeight);
+  }
+  return page.finished();
+}
+
+}  // namespace bslnav
