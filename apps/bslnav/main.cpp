@@ -1,0 +1,53 @@
+// Drives a robot to its goal: in the simulator now; what the configuration describes is what moves.
+#include <bslnav/evaluation/RunRecorder.h>
+#include <bslnav/evaluation/SimulationPictures.h>
+#include <bslnav/evaluation/SimulationRun.h>
+
+#include <bslnav/config/Error.h>
+#include <iostream>
+
+#include "CommandLine.h"
+#include "SummaryTable.h"
+
+namespace {
+
+int drive(const bslnav::CommonOptions& options) {
+  using namespace bslnav;
+  SimulationSetup setup;
+  Config config;
+  setup.bind(config);
+  options.load(config);
+  if (options.printConfig) {
+    config.print(std::cout);
+    return 0;
+  }
+  if (options.configs.empty()) throw Error("bslnav", "no configuration; expected bslnav CONFIG.ini, see --help");
+  setup.check();
+  const auto map = setup.makeMap();
+
+  RunRecorder recorder(options.out, config);
+  if (setup.pictures.recordCandidates) recorder.recordCandidates();
+  SimulationPictures pictures(setup, map);
+  listenForInterrupts();
+  const RunSummary summary = runSimulation(setup, options.seed, [&](const SimulationMoment& moment) {
+    recorder.write(moment.record, moment.truth.pose);
+    pictures.observe(moment);
+    if (moment.record.index % 10 == 0) showProgress(progressLine(moment.record), options.quiet);
+    return !interrupted();
+  });
+  showProgress("", options.quiet);
+  recorder.finish(summary);
+  const auto paths = pictures.save(summary, recorder.directory());
+  if (!options.quiet) printSummary(std::cout, setup.scenario.name, summary, recorder.directory(), paths);
+  return exitCodeOf(summary);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Drives a robot past blind spots to its goal.", "bslnav");
+  app.footer("Example:\n  bslnav config/scenarios/s1.ini --method 2 --out out/s1-method2");
+  bslnav::CommonOptions options;
+  options.addTo(app, "out");
+  return bslnav::runApp(app, argc, argv, [&] { return drive(options); });
+}

@@ -1,0 +1,73 @@
+#include "CommandLine.h"
+
+#include <bslnav/config/Error.h>
+#include <bslnav/config/Version.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+
+namespace bslnav {
+namespace {
+
+volatile std::sig_atomic_t interruptFlag = 0;  // set by the signal handler: the one thing it may touch
+
+}  // namespace
+
+void CommonOptions::addTo(CLI::App& app, const std::string& defaultOut) {
+  out = defaultOut;
+  app.set_version_flag("--version", version());
+  app.add_option("CONFIG", configs, "configuration files (INI); later ones override earlier ones");
+  app.add_option("--method", method, "method number: short for config/methods/methodN.ini after the other files");
+  app.add_option("--set", overrides, "section.key=value, overrides the files; may be given several times")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  app.add_option("--seed", seed, "seed of all randomness")->capture_default_str();
+  app.add_option("--out", out, "directory for the results")->capture_default_str();
+  app.add_flag("--quiet", quiet, "print errors only");
+  app.add_flag("--print-config", printConfig, "print every section and key with its value, and end");
+}
+
+std::string methodFile(int method) {
+  const std::string file = dataDirectory() + "/config/methods/method" + std::to_string(method) + ".ini";
+  if (!std::filesystem::exists(file)) throw Error("--method " + std::to_string(method), "no such method; expected a number with a file " + file);
+  return file;
+}
+
+void CommonOptions::load(Config& config) const {
+  std::vector<std::string> files = configs;
+  if (method != 0) files.push_back(methodFile(method));
+  config.load(files, overrides);
+}
+
+int runApp(CLI::App& app, int argc, char** argv, const std::function<int()>& body) {
+  try {
+    app.parse(argc, argv);
+    return body();
+  } catch (const CLI::ParseError& problem) {
+    const int code = app.exit(problem);
+    return code == 0 ? 0 : 2;
+  } catch (const Error& problem) {
+    std::fprintf(stderr, "%s: %s\n", app.get_name().c_str(), problem.what());
+    return problem.exitCode();
+  } catch (const std::exception& problem) {
+    std::fprintf(stderr, "%s: %s\n", app.get_name().c_str(), problem.what());
+    return 1;
+  }
+}
+
+bool interrupted() { return interruptFlag != 0; }
+
+void listenForInterrupts() {
+  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { interruptFlag = 1; });
+}
+
+void showProgress(const std::string& line, bool quiet) {
+  if (quiet || isatty(STDERR_FILENO) == 0) return;
+  std::fprintf(stderr, "\r\033[K%s", line.c_str());
+  std::fflush(stderr);
+}
+
+}  // namespace bslnav

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <bslnav/navigation/SensorFrame.h>
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace bslnav {
+
+/** What a rawlog has held so far; record numbers count the objects of the file from 0. */
+struct RawlogStatistics {
+  struct ClockJump {
+    std::size_t record = 0;
+    double step_s = 0.0;  ///< negative: back; positive: a gap
+  };
+
+  std::size_t entries = 0;
+  std::size_t frames = 0;
+  std::size_t scans = 0;
+  std::size_t beams = 0;
+  std::size_t unusableBeams =
+      0;  ///< marked invalid, not finite, not positive, or at the maximum range
+  std::size_t odometryEntries = 0;  ///< usable ones
+  std::size_t droppedOdometry = 0;  ///< not finite
+  std::size_t equalTimeStamps = 0;  ///< frames no later than the one before
+  std::size_t missingTimeStamps = 0;
+  std::vector<ClockJump> clockJumps;
+  double duration_s = 0.0;
+  double pathLength_m = 0.0;  ///< of the odometry, without what lies in gaps
+  bool hasOdometry = false;
+  bool truncated = false;  ///< the file ends inside a record, or with one that nothing can read
+  std::size_t truncatedAtRecord = 0;
+
+  double unusableBeams_percent() const {
+    return beams == 0 ? 0.0
+                      : 100.0 * static_cast<double>(unusableBeams) / static_cast<double>(beams);
+  }
+};
+
+/** Streams the frames of an MRPT rawlog, one for each 2D scan or sensory frame, compressed or not.
+ *
+ * Reads both formats: action and sensory frame pairs (odometry increments are summed) and single
+ * observations (odometry is interpolated at the scan's time). The twist is the action's where it
+ * has one, else it comes from odometry differences. A frame without a time stamp takes the time of
+ * the one before; after a clock that went back, time goes on from there. Ranges are passed on as
+ * they are, NaN and zero included. */
+class RawlogReader {
+ public:
+  /** Opens the log and reads up to its first scan.
+   *  @param gap_s a step of the clock above it is a gap (SensorFrame::afterGap)
+   *  @throws Error when the file is missing, empty, not a rawlog, or without any 2D scan */
+  explicit RawlogReader(const std::string& file, double gap_s = 2.0);
+  ~RawlogReader();
+  RawlogReader(RawlogReader&&) noexcept;
+  RawlogReader& operator=(RawlogReader&&) noexcept;
+
+  /** Puts the next frame into `frame`; false, and `frame` as it was, after the last one. */
+  bool next(SensorFrame& frame);
+
+  /** Of what has been read until now: complete after next() has returned false. */
+  const RawlogStatistics& statistics() const;
+
+ private:
+  struct Stream;
+  std::unique_ptr<Stream> stream_;
+};
+
+}  // namespace bslnav

@@ -1,0 +1,184 @@
+#include <bslnav/navigation/Clearance.h>
+#include <bslnav/navigation/InPlaceRotation.h>
+#include <bslnav/navigation/MotionPlanner.h>
+#include <mrpt/math/wrap2pi.h>
+
+#include <cmath>
+
+namespace bslnav {
+
+using mrpt::math::TPoint2D;
+
+const char* nameOf(MotionMode mode) {
+  static constexpr const char* kNames[] = {
+      "idle", "follow", "rotate_to_path", "rotate_to_goal", "back_off", "arrived", "failed"};
+  return kNames[static_cast<int>(mode)];
+}
+
+void MotionParameters::describe(ConfigSection& section) {
+  section.number("lookahead_m", lookahead_m, kPositive, "m",
+                 "the local goal lies this far ahead on the path");
+  section.number("goal_tolerance_m", goalTolerance_m, {0.01, 10.0}, "m",
+                 "this near is at the goal");
+  section.flag("align_at_goal", alignAtGoal,
+               "whether to turn to the goal's heading after arriving");
+  section.angle("heading_tolerance_deg", headingTolerance_rad, {0.5, 180.0},
+                "this near is the wanted heading");
+  section.angle(
+      "rotate_to_path_above_deg", rotateToPathAbove_rad, {10.0, 180.0},
+      "standing, with the path farther aside than this, the robot turns on the spot first");
+}
+
+MotionPlanner::MotionPlanner(const MotionParameters& parameters, const RecoveryParameters& recovery,
+                             const DwaParameters& dwa, const RobotLimits& limits,
+                             const FootprintCover& footprint, double controlPeriod_s)
+    : parameters_(parameters),
+      recoveryParameters_(recovery),
+      limits_(limits),
+      footprint_(footprint),
+      controlPeriod_s_(controlPeriod_s),
+      planner_(dwa, limits, footprint, controlPeriod_s),
+      recovery_(recovery) {}
+
+void MotionPlanner::reset() {
+  planner_.reset();
+  recovery_.reset();
+  recoveryStep_ = Recovery::Step::None;
+  blocked_ = stepDone_ = atGoal_ = turning_ = backingOff_ = false;
+}
+
+Motion MotionPlanner::step(const Input& input, const CostGrid& costs) {
+  const TPoint2D robot{input.mapFromRobot.x, input.mapFromRobot.y};
+  const TPoint2D goal =
+      input.path.empty() ? TPoint2D{input.goal.x, input.goal.y} : input.path.back();
+  const bool near = input.lastLeg && (goal - robot).norm() <= parameters_.goalTolerance_m;
+  if (atGoal_ || near) return arrive(input, costs);
+
+  recoveryStep_ = recovery_.update(input.time_s, input.mapFromRobot, blocked_, stepDone_);
+  stepDone_ = false;
+  backingOff_ = backingOff_ && recoveryStep_ == Recovery::Step::BackOff;
+  Motion motion;
+  switch (recoveryStep_) {
+    case Recovery::Step::GiveUp:
+      motion.mode = MotionMode::Failed;
+      motion.command = brake(input.twist, limits_, controlPeriod_s_);
+      break;
+    case Recovery::Step::BackOff:
+      motion = backOff(input, costs);
+      break;
+    case Recovery::Step::RotateToPath:
+      turning_ = true;
+      motion = follow(input, costs);
+      stepDone_ = !turning_ || motion.blocked;
+      break;
+    case Recovery::Step::Replan:
+      stepDone_ = true;
+      [[fallthrough]];
+    case Recovery::Step::None:
+      motion = follow(input, costs);
+  }
+  blocked_ = motion.blocked;
+  return motion;
+}
+
+Motion MotionPlanner::arrive(const Input& input, const CostGrid& costs) {
+  atGoal_ = true;
+  const double error = mrpt::math::wrapToPi(input.goal.phi - input.mapFromRobot.phi);
+  if (parameters_.alignAtGoal && std::abs(error) > parameters_.headingTolerance_rad) {
+    Motion motion = rotate(MotionMode::RotateToGoal, error, input, costs);
+    if (!motion.blocked) return motion;  // without room to turn, being there has to do
+  }
+  Motion motion;
+  motion.mode = isStanding(input.twist) ? MotionMode::Arrived : MotionMode::RotateToGoal;
+  motion.command = brake(input.twist, limits_, controlPeriod_s_);
+  return motion;
+}
+
+Motion MotionPlanner::follow(const Input& input, const CostGrid& costs) {
+  Motion motion;
+  motion.mode = MotionMode::Follow;
+  if (input.path.empty()) {
+    motion.blocked = true;
+    turning_ = false;
+    motion.command = brake(input.twist, limits_, controlPeriod_s_);
+    return motion;
+  }
+  const TPoint2D robot{input.mapFromRobot.x, input.mapFromRobot.y};
+  const TPoint2D localGoal = pointAhead(input.path, robot, parameters_.lookahead_m);
+  const double bearing = bearingTo(input.mapFromRobot, pointAhead(input.path, robot, 0.5));
+  if (isStanding(input.twist) && std::abs(bearing) > parameters_.rotateToPathAbove_rad)
+    turning_ = true;
+  if (std::abs(bearing) < 0.2) turning_ = false;
+  if (turning_) {
+    motion = rotate(MotionMode::RotateToPath, bearing, input, costs);
+    motion.localGoal = localGoal;
+    if (!motion.blocked) return motion;
+    turning_ = false;
+  }
+  const bool last = input.lastLeg && (localGoal - input.path.back()).norm() < 1e-9;
+  dwa_ = &planner_.plan({input.mapFromRobot, input.twist, input.path, localGoal,
+                         last ? parameters_.goalTolerance_m : 0.0},
+                        costs);
+  motion.mode = MotionMode::Follow;
+  motion.planned = true;
+  motion.localGoal = localGoal;
+  motion.command = dwa_->command;
+  motion.blocked = dwa_->status == DwaResult::Status::NoAdmissible;
+  return motion;
+}
+
+Motion MotionPlanner::rotate(MotionMode mode, double error_rad, const Input& input,
+                             const CostGrid& costs) {
+  Motion motion;
+  motion.mode = mode;
+  motion.blocked = !roomToTurn(error_rad, input, costs);
+  motion.command = motion.blocked
+                       ? brake(input.twist, limits_, controlPeriod_s_)
+                       : rotateInPlace(error_rad, input.twist, limits_, controlPeriod_s_);
+  return motion;
+}
+
+bool MotionPlanner::roomToTurn(double angle_rad, const Input& input, const CostGrid& costs) const {
+  return isFree(0.0, std::copysign(std::min(std::abs(angle_rad), 0.5), angle_rad), input, costs);
+}
+
+bool MotionPlanner::isFree(double forward_m, double left_rad, const Input& input,
+                           const CostGrid& costs) const {
+  RolloutSetup setup;
+  setup.start = input.mapFromRobot;
+  setup.horizon_s = 1.0;
+  setup.step_s = 0.05;
+  setup.outlineReach_m = footprint_.reach_m();
+  return !rollOut(forward_m, left_rad, setup, costs, footprint_).blocked();
+}
+
+Motion MotionPlanner::backOff(const Input& input, const CostGrid& costs) {
+  if (!backingOff_) backOffFrom_ = input.mapFromRobot;
+  backingOff_ = true;
+  const auto& pose = input.mapFromRobot;
+  const double moved = std::hypot(pose.x - backOffFrom_.x, pose.y - backOffFrom_.y);
+
+  // Backwards if that leads away from obstacles, else forwards; never nearer to one than now,
+  // unless there is room.
+  constexpr double kSight_m = 1.0;
+  const double now = clearance(costs, {pose.x, pose.y}, kSight_m);
+  double direction = 0.0;
+  for (const double side : {-1.0, 1.0}) {
+    const double ahead = side * (limits_.maxSpeed_mps * controlPeriod_s_ + 0.1);
+    const TPoint2D there{pose.x + ahead * std::cos(pose.phi), pose.y + ahead * std::sin(pose.phi)};
+    const bool canBack = side < 0.0 && isFree(ahead, 0.0, input, costs);
+    if (direction == 0.0 && (canBack || clearance(costs, there, kSight_m) > now)) direction = side;
+  }
+  Motion motion;
+  motion.mode = MotionMode::BackOff;
+  motion.command = limited({direction * recoveryParameters_.backOffSpeed_mps, 0.0, 0.0},
+                           input.twist, limits_, controlPeriod_s_);
+  stepDone_ = direction == 0.0 || moved >= recoveryParameters_.backOffDistance_m;
+  if (stepDone_) {
+    backingOff_ = false;
+    motion.command = brake(input.twist, limits_, controlPeriod_s_);
+  }
+  return motion;
+}
+
+}  // namespace bslnav

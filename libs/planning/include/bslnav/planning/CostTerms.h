@@ -1,0 +1,49 @@
+#pragma once
+
+#include <bslnav/config/ConfigSection.h>
+#include <bslnav/costmap/CostValues.h>
+#include <bslnav/planning/Rollout.h>
+
+#include <algorithm>
+
+namespace bslnav {
+
+/** The weights and scales of the paper's cost J = W_pos·c_pos + W_gol·c_gol + W_dan·c_dan +
+ * W_vel·c_vel (eq. 11, table I). */
+struct CostWeights {
+  double path = 2.0, goal = 1.0, danger = 10.0, velocity = 0.0;
+  double dangerDivisor =
+      253.0;  ///< scales the highest cost to 0..1; with raw costs it drowns the other terms
+  double speedFloor_mps = 0.05;  ///< c_vel = 1/v is limited to 1/floor
+
+  void describe(ConfigSection& section);
+};
+
+/** The four terms of one candidate, before weighting. */
+struct CostTerms {
+  double path = 0.0;  ///< c_pos: end point to the global path [m]
+  double goal = 0.0;  ///< c_gol: end point to the local goal [m]; negative when it passes the goal
+  double danger = 0.0;    ///< c_dan: highest cost along the rollout / divisor
+  double velocity = 0.0;  ///< c_vel: 1/v [s/m]
+};
+
+/** c_gol. A rollout that passes the goal counts as if it went on: its term falls below zero by what
+ * is left of it, so that near the goal, too, the faster candidate is the cheaper one. */
+inline double goalTerm(const RolloutOutcome& rollout, double v_mps, const RolloutSetup& setup) {
+  if (rollout.end != RolloutOutcome::End::Goal) return (rollout.endPoint - setup.goal).norm();
+  const mrpt::math::TPoint2D start{setup.start.x, setup.start.y};
+  return std::min(0.0, (setup.goal - start).norm() - v_mps * setup.horizon_s);
+}
+inline double dangerTerm(Cost highestCost, const CostWeights& weights) {
+  return highestCost / weights.dangerDivisor;
+}
+inline double velocityTerm(double v_mps, const CostWeights& weights) {
+  return 1.0 / std::max(v_mps, weights.speedFloor_mps);
+}
+
+/** J of one candidate. */
+inline double weighted(const CostTerms& c, const CostWeights& w) {
+  return w.path * c.path + w.goal * c.goal + w.danger * c.danger + w.velocity * c.velocity;
+}
+
+}  // namespace bslnav

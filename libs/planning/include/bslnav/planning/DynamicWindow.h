@@ -1,0 +1,24 @@
+#pragma once
+
+#include <bslnav/planning/RobotLimits.h>
+#include <mrpt/math/TTwist2D.h>
+
+namespace bslnav {
+
+/** The velocities that can be reached within one control period (Fox et al. 1997). */
+struct DynamicWindow {
+  double vMin = 0.0, vMax = 0.0;  ///< forward speed [m/s]
+  double wMin = 0.0, wMax = 0.0;  ///< turning rate [rad/s]
+};
+
+/** The window never drives backwards: a robot that rolls backwards, or is faster than the cap or
+ * the limits, is led back as fast as its limits allow.
+ *  @param speedCap_mps highest speed wanted now, at least 0, for example to stop at the goal */
+DynamicWindow dynamicWindow(const mrpt::math::TTwist2D& current, const RobotLimits& limits,
+                            double period_s, double speedCap_mps);
+
+/** Sample i of n spread evenly over [low, high]; where the interval holds zero, the sample nearest
+ * to zero is zero, so that standing still and driving straight are always among the candidates. */
+double sampleOf(double low, double high, int i, int n);
+
+}  // namespace bslnav

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <bslnav/config/ConfigSection.h>
+#include <mrpt/math/TTwist2D.h>
+
+namespace bslnav {
+
+/** What the robot's base can do; every command keeps within it. */
+struct RobotLimits {
+  double maxSpeed_mps = 2.0 / 3.6;  ///< paper: 2.0 km/h
+  double maxYawRate_radps = 1.0;
+  double acceleration_mps2 = 0.5;
+  double deceleration_mps2 = 0.5;
+  double yawAcceleration_radps2 = 2.0;
+
+  void describe(ConfigSection& section);
+};
+
+/** The command of one control period that brings the robot nearer to a standstill, as fast as the
+ * limits allow. */
+mrpt::math::TTwist2D brake(const mrpt::math::TTwist2D& current, const RobotLimits& limits,
+                           double period_s);
+
+/** The command nearest to `wanted` that the limits allow one control period after `current`. */
+mrpt::math::TTwist2D limited(const mrpt::math::TTwist2D& wanted,
+                             const mrpt::math::TTwist2D& current, const RobotLimits& limits,
+                             double period_s);
+
+/** The speed that, driven for one period and then braked from period to period, ends after
+ * `distance`: highest speed now from which the robot still stops there. Metres or radians.
+ *  @param distance,deceleration at least 0 and above 0 */
+double stoppingSpeed(double distance, double deceleration, double period_s);
+
+}  // namespace bslnav

@@ -1,0 +1,151 @@
+#include <bslnav/planning/Rollout.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace bslnav {
+namespace {
+
+/** The chord of one step of an arc and its rotation from step to step, in cells of the grid: exact
+ * at every step, without a sine or cosine in the loop. */
+struct ArcStepper {
+  float x, y, dx, dy, headingCos, headingSin, turnCos, turnSin;
+  int steps;
+
+  ArcStepper(double v, double w, const RolloutSetup& setup, const CostGrid& grid) {
+    const double cells = 1.0 / grid.getResolution();
+    const double way = (std::abs(v) + std::abs(w) * setup.outlineReach_m) * setup.horizon_s;
+    steps = static_cast<int>(
+        std::ceil(std::max({1.0, setup.horizon_s / setup.step_s, way * cells}) - 1e-9));
+    const double dt = setup.horizon_s / steps, half = 0.5 * w * dt;
+    const double chord = v * dt * cells * (std::abs(half) < 1e-9 ? 1.0 : std::sin(half) / half);
+    x = static_cast<float>((setup.start.x - grid.getXMin()) * cells);
+    y = static_cast<float>((setup.start.y - grid.getYMin()) * cells);
+    dx = static_cast<float>(chord * std::cos(setup.start.phi + half));
+    dy = static_cast<float>(chord * std::sin(setup.start.phi + half));
+    headingCos = static_cast<float>(std::cos(setup.start.phi));
+    headingSin = static_cast<float>(std::sin(setup.start.phi));
+    turnCos = static_cast<float>(std::cos(2.0 * half));
+    turnSin = static_cast<float>(std::sin(2.0 * half));
+  }
+
+  void advance() {
+    x += dx;
+    y += dy;
+  }
+  void turnChord() { rotate(dx, dy); }
+  void turnHeading() { rotate(headingCos, headingSin); }
+
+ private:
+  void rotate(float& a, float& b) const {
+    const float old = a;
+    a = turnCos * a - turnSin * b;
+    b = turnSin * old + turnCos * b;
+  }
+};
+
+/** Tells when a rollout has come abeam of the goal within the tolerance, and where. */
+class GoalPass {
+ public:
+  GoalPass(const RolloutSetup& setup, const CostGrid& grid, const ArcStepper& arc)
+      : x_(static_cast<float>((setup.goal.x - grid.getXMin()) / grid.getResolution())),
+        y_(static_cast<float>((setup.goal.y - grid.getYMin()) / grid.getResolution())) {
+    const double tolerance = setup.goalTolerance_m / grid.getResolution();
+    toleranceSquared_ = static_cast<float>(tolerance * tolerance);
+    const float chordSquared = arc.dx * arc.dx + arc.dy * arc.dy;
+    inverseChordSquared_ = chordSquared > 0.0f ? 1.0f / chordSquared : 0.0f;
+  }
+
+  /** Whether the step to where the arc is now passed the goal; moves the arc back to the nearest
+   * point of that step if so. */
+  bool passed(ArcStepper& arc) const {
+    const float left = (x_ - arc.x) * arc.dx + (y_ - arc.y) * arc.dy;
+    if (left > 0.0f) return false;
+    const float back = std::max(-1.0f, left * inverseChordSquared_);
+    const float x = arc.x + back * arc.dx, y = arc.y + back * arc.dy;
+    if (!near(x, y)) return false;
+    arc.x = x;
+    arc.y = y;
+    return true;
+  }
+  bool near(float x, float y) const {
+    return (x - x_) * (x - x_) + (y - y_) * (y - y_) <= toleranceSquared_;
+  }
+
+ private:
+  float x_, y_, toleranceSquared_, inverseChordSquared_;
+};
+
+template <bool kHasOutline, bool kEndsAtGoal>
+RolloutOutcome run(ArcStepper arc, const RolloutSetup& setup, const CostGrid& costs,
+                   const FootprintCover& footprint) {
+  using End = RolloutOutcome::End;
+  const auto width = static_cast<float>(costs.width()), height = static_cast<float>(costs.height());
+  const Cost* cells = costs.row(0);
+  const int stride = costs.width();
+  const GoalPass goal(setup, costs, arc);
+  End end = End::Horizon;
+  Cost highest = kFreeCost;
+  int steps = 0;
+  while (steps < arc.steps && end == End::Horizon) {
+    arc.advance();
+    ++steps;
+    if (kEndsAtGoal && goal.passed(arc)) {
+      end = End::Goal;
+      break;
+    }
+    arc.turnChord();
+    const bool inside = arc.x >= 0.0f && arc.y >= 0.0f && arc.x < width && arc.y < height;
+    const Cost cost =
+        inside ? cells[static_cast<int>(arc.y) * stride + static_cast<int>(arc.x)] : kUnknownCost;
+    if (cost < kInscribedCost) {
+      highest = std::max(highest, cost);
+    } else if (cost != kUnknownCost) {
+      end = End::Obstacle;
+    } else if (!setup.allowUnknown) {
+      end = End::Unknown;
+    }
+    if (kHasOutline) {
+      arc.turnHeading();
+      if (footprint.touches(costs, arc.x, arc.y, arc.headingCos, arc.headingSin, cost))
+        end = End::Obstacle;
+    }
+  }
+  if (kEndsAtGoal && end == End::Horizon && goal.near(arc.x, arc.y)) end = End::Goal;
+  return {{costs.getXMin() + static_cast<double>(arc.x) * costs.getResolution(),
+           costs.getYMin() + static_cast<double>(arc.y) * costs.getResolution()},
+          highest,
+          steps,
+          end};
+}
+
+}  // namespace
+
+RolloutOutcome rollOut(double v_mps, double w_radps, const RolloutSetup& setup,
+                       const CostGrid& costs, const FootprintCover& footprint) {
+  const ArcStepper arc(v_mps, w_radps, setup, costs);
+  if (setup.goalTolerance_m > 0.0)
+    return footprint.empty() ? run<false, true>(arc, setup, costs, footprint)
+                             : run<true, true>(arc, setup, costs, footprint);
+  return footprint.empty() ? run<false, false>(arc, setup, costs, footprint)
+                           : run<true, false>(arc, setup, costs, footprint);
+}
+
+std::vector<mrpt::math::TPose2D> rolloutPoses(double v_mps, double w_radps,
+                                              const RolloutSetup& setup, int steps,
+                                              const CostGrid& costs) {
+  ArcStepper arc(v_mps, w_radps, setup, costs);
+  std::vector<mrpt::math::TPose2D> poses{setup.start};
+  for (int i = 0; i < std::min(steps, arc.steps); ++i) {
+    arc.advance();
+    arc.turnChord();
+    arc.turnHeading();
+    poses.emplace_back(
+        costs.getXMin() + static_cast<double>(arc.x) * costs.getResolution(),
+        costs.getYMin() + static_cast<double>(arc.y) * costs.getResolution(),
+        std::atan2(static_cast<double>(arc.headingSin), static_cast<double>(arc.headingCos)));
+  }
+  return poses;
+}
+
+}  // namespace bslnav
