@@ -1,0 +1,61 @@
+#pragma once
+
+#include <bslnav/config/ConfigSection.h>
+#include <bslnav/costmap/CostGrid.h>
+#include <bslnav/costmap/Footprint.h>
+#include <bslnav/costmap/PlanarScan.h>
+#include <mrpt/math/TPose2D.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace bslnav {
+
+/** How scans mark and clear. */
+struct ObstacleParameters {
+  double obstacleRange_m = 5.0;  ///< returns farther away make no mark
+  double raytraceRange_m = 6.0;  ///< beams clear up to here
+  bool clearNoReturn = true;     ///< whether a beam without return clears
+  bool clearFootprint = true;    ///< whether no obstacle can be where the robot stands
+
+  void describe(ConfigSection& section);
+};
+
+/** What the scans say: free where a beam went through, lethal where one ended, unknown elsewhere.
+ *
+ * A mark stays until a beam passes through it. A beam passes through one cell of each column (each
+ * row, if it runs more along y than along x): the one that holds the point where it crosses the
+ * column's centre line, from the sensor's column up to, but without, the column of its end. It
+ * never clears the cell it ends in. */
+class ObstacleLayer {
+ public:
+  /** @param shape gives size, resolution and position; its costs do not matter */
+  ObstacleLayer(const ObstacleParameters& parameters, const Footprint& footprint,
+                const CostGrid& shape);
+
+  /** Clears along all beams of all scans, then marks the ends of all, then clears the robot's
+   * footprint.
+   *  @return the window of the cells that were visited; empty if none */
+  CellWindow update(const mrpt::math::TPose2D& mapFromRobot, const std::vector<PlanarScan>& scans);
+
+  /** Moves the grid by whole cells; new cells are unknown. */
+  void shift(int dx, int dy) { grid_.shift(dx, dy, kUnknownCost); }
+
+  const CostGrid& grid() const { return grid_; }
+
+ private:
+  struct Point {
+    double x, y;  // in cells, from the grid's lower left corner
+  };
+
+  CellWindow clearAlong(const mrpt::math::TPose2D& mapFromRobot, const PlanarScan& scan);
+  void clearBeam(const Point& from, const Point& to);
+  CellWindow clearUnder(const mrpt::math::TPose2D& mapFromRobot);
+
+  ObstacleParameters parameters_;
+  Footprint footprint_;
+  CostGrid grid_;
+  std::vector<std::ptrdiff_t> marks_;  // reused every cycle
+};
+
+}  // namespace bslnav

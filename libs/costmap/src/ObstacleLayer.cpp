@@ -1,0 +1,148 @@
+#include <bslnav/costmap/ObstacleLayer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace bslnav {
+namespace {
+
+constexpr double kOne = 4294967296.0;  // a cell in fixed point with 32 fractional bits
+constexpr int kShift = 32;
+
+/** std::floor without the library call that it needs on SSE2. */
+int floorToCell(double value) {
+  const int truncated = static_cast<int>(value);
+  return truncated - (value < truncated ? 1 : 0);
+}
+
+std::int64_t toFixed(double cells) { return static_cast<std::int64_t>(std::floor(cells * kOne)); }
+
+/** A beam as cells: `count` columns from `first` in direction `step`, and in each the row `row >>
+ * kShift`. For a beam that runs more along y, rows and columns change roles. */
+struct Line {
+  int first, step, count;
+  std::int64_t row, slope;
+
+  Line(double major0, double minor0, double major1, double minor1) {
+    first = floorToCell(major0);
+    const int last = floorToCell(major1);
+    step = last >= first ? 1 : -1;
+    count = std::abs(last - first);
+    const double gradient = count > 0 ? (minor1 - minor0) / (major1 - major0) : 0.0;
+    row = toFixed(minor0 + (first + 0.5 - major0) * gradient);
+    slope = toFixed(gradient * step);
+  }
+
+  /** Drops what lies outside [0, majorSize) × [0, minorSize); what is left is one piece, since a
+   * line is straight. */
+  void clip(int majorSize, int minorSize) {
+    const std::int64_t limit = static_cast<std::int64_t>(minorSize) << kShift;
+    const auto outside = [&] { return first < 0 || first >= majorSize || row < 0 || row >= limit; };
+    while (count > 0 && outside()) {
+      first += step;
+      row += slope;
+      --count;
+    }
+    count = std::min(count, step > 0 ? majorSize - first : first + 1);
+    const std::int64_t last = row + slope * (count - 1);
+    if (count <= 0 || (last >= 0 && last < limit)) return;
+    count = static_cast<int>((slope > 0 ? (limit - 1 - row) / slope : row / -slope) + 1);
+  }
+};
+
+}  // namespace
+
+void ObstacleParameters::describe(ConfigSection& section) {
+  section.number("obstacle_range_m", obstacleRange_m, kPositive, "m",
+                 "returns farther away make no mark");
+  section.number("raytrace_range_m", raytraceRange_m, kPositive, "m",
+                 "beams clear marks up to this distance");
+  section.flag("clear_no_return", clearNoReturn,
+               "whether a beam without return clears up to raytrace_range_m");
+  section.flag("clear_footprint", clearFootprint, "whether marks under the robot are cleared");
+}
+
+ObstacleLayer::ObstacleLayer(const ObstacleParameters& parameters, const Footprint& footprint,
+                             const CostGrid& shape)
+    : parameters_(parameters), footprint_(footprint), grid_(shape) {
+  grid_.fill(kUnknownCost);
+}
+
+CellWindow ObstacleLayer::update(const mrpt::math::TPose2D& mapFromRobot,
+                                 const std::vector<PlanarScan>& scans) {
+  CellWindow visited;
+  marks_.clear();
+  for (const auto& scan : scans) visited = visited.united(clearAlong(mapFromRobot, scan));
+  for (const auto cell : marks_) grid_.row(0)[cell] = kLethalCost;
+  if (parameters_.clearFootprint) visited = visited.united(clearUnder(mapFromRobot));
+  return visited.intersected(grid_.bounds());
+}
+
+CellWindow ObstacleLayer::clearAlong(const mrpt::math::TPose2D& mapFromRobot,
+                                     const PlanarScan& scan) {
+  const double perCell = 1.0 / grid_.getResolution();
+  const double c = std::cos(mapFromRobot.phi) * perCell, s = std::sin(mapFromRobot.phi) * perCell;
+  const auto& sensor = scan.robotFromSensor();
+  const Point from{(mapFromRobot.x - grid_.getXMin()) * perCell + c * sensor.x - s * sensor.y,
+                   (mapFromRobot.y - grid_.getYMin()) * perCell + s * sensor.x + c * sensor.y};
+  const CellWindow bounds = grid_.bounds();
+  double left = from.x, right = from.x, bottom = from.y, top = from.y;
+  for (std::size_t i = 0; i < scan.beam.size(); ++i) {
+    if (scan.beam[i] == PlanarScan::Beam::Dropped) continue;
+    const bool hit = scan.beam[i] == PlanarScan::Beam::Hit;
+    if (!hit && !parameters_.clearNoReturn) continue;
+    const double range_m = scan.range_m[i];
+    const double dx = c * scan.cosine[i] - s * scan.sine[i],
+                 dy = s * scan.cosine[i] + c * scan.sine[i];
+    const double cleared_m =
+        std::min(hit ? range_m : parameters_.raytraceRange_m, parameters_.raytraceRange_m);
+    const Point to{from.x + cleared_m * dx, from.y + cleared_m * dy};
+    clearBeam(from, to);
+    left = std::min(left, to.x), right = std::max(right, to.x);
+    bottom = std::min(bottom, to.y), top = std::max(top, to.y);
+    if (!hit || range_m > parameters_.obstacleRange_m) continue;
+    const int x = floorToCell(from.x + range_m * dx), y = floorToCell(from.y + range_m * dy);
+    if (bounds.contains(x, y))
+      marks_.push_back(static_cast<std::ptrdiff_t>(y) * bounds.width() + x);
+  }
+  return {floorToCell(left) - 1, floorToCell(bottom) - 1, floorToCell(right) + 2,
+          floorToCell(top) + 2};
+}
+
+void ObstacleLayer::clearBeam(const Point& from, const Point& to) {
+  const std::ptrdiff_t stride = grid_.width();
+  const bool alongX = std::abs(to.x - from.x) >= std::abs(to.y - from.y);
+  Line line = alongX ? Line(from.x, from.y, to.x, to.y) : Line(from.y, from.x, to.y, to.x);
+  line.clip(alongX ? grid_.width() : grid_.height(), alongX ? grid_.height() : grid_.width());
+  if (line.count <= 0) return;
+  Cost* const cells = grid_.row(0);
+  std::int64_t row = line.row;
+  if (alongX) {
+    Cost* column = cells + line.first;
+    for (int i = 0; i < line.count; ++i, column += line.step, row += line.slope)
+      column[(row >> kShift) * stride] = kFreeCost;
+  } else {
+    Cost* start = cells + line.first * stride;
+    for (int i = 0; i < line.count; ++i, start += line.step * stride, row += line.slope)
+      start[row >> kShift] = kFreeCost;
+  }
+}
+
+CellWindow ObstacleLayer::clearUnder(const mrpt::math::TPose2D& mapFromRobot) {
+  const double reach_m = footprint_.circumscribedRadius_m();
+  const CellWindow around =
+      CellWindow{grid_.cellX(mapFromRobot.x - reach_m), grid_.cellY(mapFromRobot.y - reach_m),
+                 grid_.cellX(mapFromRobot.x + reach_m) + 1,
+                 grid_.cellY(mapFromRobot.y + reach_m) + 1}
+          .intersected(grid_.bounds());
+  const double c = std::cos(mapFromRobot.phi), s = std::sin(mapFromRobot.phi);
+  for (int y = around.y0; y < around.y1; ++y)
+    for (int x = around.x0; x < around.x1; ++x) {
+      const double dx = grid_.idx2x(x) - mapFromRobot.x, dy = grid_.idx2y(y) - mapFromRobot.y;
+      if (footprint_.contains({c * dx + s * dy, c * dy - s * dx})) grid_.at(x, y) = kFreeCost;
+    }
+  return around;
+}
+
+}  // namespace bslnav
