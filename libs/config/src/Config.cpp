@@ -7,6 +7,8 @@
 #include <ostream>
 #include <stdexcept>
 
+#include "IniLines.h"
+
 namespace bslnav {
 namespace {
 
@@ -27,9 +29,9 @@ std::size_t distance(const std::string& a, const std::string& b) {
 }
 
 std::string suggestion(const std::string& word, const std::vector<std::string>& known) {
-  const auto nearest = std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {
-    return distance(word, a) < distance(word, b);
-  });
+  const auto nearest = std::min_element(
+      known.begin(), known.end(),
+      [&](const auto& a, const auto& b) { return distance(word, a) < distance(word, b); });
   if (nearest == known.end() || distance(word, *nearest) > 1 + word.size() / 3) return "";
   return "; did you mean '" + *nearest + "'?";
 }
@@ -59,25 +61,26 @@ ConfigSection* Config::findOrMakeSection(const std::string& name) {
   return nullptr;
 }
 
+ConfigSection& Config::section(const std::string& where, const std::string& name) {
+  if (ConfigSection* found = findOrMakeSection(name)) return *found;
+  std::vector<std::string> known;
+  for (const auto& s : sections_) known.push_back(s.name());
+  for (const auto& r : repeated_) known.push_back(r.kind + ":NAME");
+  throw Error(where + " [" + name + "]", "unknown section" + suggestion(name, known));
+}
+
 void Config::set(const std::string& where, const std::string& sectionName, const std::string& key,
                  const std::string& value) {
-  ConfigSection* section = findOrMakeSection(sectionName);
-  if (!section) {
-    std::vector<std::string> known;
-    for (const auto& s : sections_) known.push_back(s.name());
-    for (const auto& r : repeated_) known.push_back(r.kind + ":NAME");
-    throw Error(where + " [" + sectionName + "]", "unknown section" + suggestion(sectionName, known));
-  }
   std::vector<std::string> known;
-  for (const auto& field : section->fields()) {
+  for (const auto& field : section(where, sectionName).fields()) {
     known.push_back(field.key);
     if (field.key != key) continue;
     try {
       field.read(value);
     } catch (const std::invalid_argument& problem) {
-      throw Error(location(where, sectionName, key), "'" + value + "' is " + problem.what() + "; expected " +
-                                                         field.expected +
-                                                         (field.unit.empty() ? "" : " [" + field.unit + "]"));
+      throw Error(location(where, sectionName, key),
+                  "'" + value + "' is " + problem.what() + "; expected " + field.expected +
+                      (field.unit.empty() ? "" : " [" + field.unit + "]"));
     }
     return;
   }
@@ -85,16 +88,20 @@ void Config::set(const std::string& where, const std::string& sectionName, const
 }
 
 void Config::loadFile(const std::string& file) {
-  if (!mrpt::system::fileExists(file)) throw Error(file, "no such file; expected a configuration (INI)");
-  if (mrpt::system::directoryExists(file)) throw Error(file, "is a directory; expected a configuration (INI)");
+  if (!mrpt::system::fileExists(file))
+    throw Error(file, "no such file; expected a configuration (INI)");
+  if (mrpt::system::directoryExists(file))
+    throw Error(file, "is a directory; expected a configuration (INI)");
+  checkIniLines(file);
   try {
     const mrpt::config::CConfigFile ini(file);
-    std::vector<std::string> names;
+    std::vector<std::string> names, keys;
     ini.getAllSections(names);
-    for (const auto& section : names) {
-      std::vector<std::string> keys;
-      ini.getAllKeys(section, keys);
-      for (const auto& key : keys) set(file, section, key, ini.read_string(section, key, ""));
+    for (const auto& name : names) {
+      if (name.empty()) continue;  // MRPT's place for keys before any section: there are none
+      section(file, name);
+      ini.getAllKeys(name, keys);
+      for (const auto& key : keys) set(file, name, key, ini.read_string(name, key, ""));
     }
   } catch (const Error&) {
     throw;
@@ -103,14 +110,16 @@ void Config::loadFile(const std::string& file) {
   }
 }
 
-void Config::load(const std::vector<std::string>& files, const std::vector<std::string>& overrides) {
+void Config::load(const std::vector<std::string>& files,
+                  const std::vector<std::string>& overrides) {
   for (const auto& file : files) loadFile(file);
   for (const auto& text : overrides) {
     const auto equals = text.find('=');
     const auto dot = text.rfind('.', equals);
     if (equals == std::string::npos || dot == std::string::npos || dot == 0)
       throw Error("--set " + text, "expected section.key=value");
-    set("--set", text.substr(0, dot), text.substr(dot + 1, equals - dot - 1), text.substr(equals + 1));
+    set("--set", text.substr(0, dot), text.substr(dot + 1, equals - dot - 1),
+        text.substr(equals + 1));
   }
 }
 
@@ -118,15 +127,18 @@ void Config::print(std::ostream& out) const {
   for (const auto& section : sections_) {
     out << "; " << section.description() << "\n[" << section.name() << "]\n";
     for (const auto& field : section.fields()) {
-      out << "; " << field.description << " (" << (field.unit.empty() ? "" : "unit: " + field.unit + "; ")
-          << "default: " << (field.defaultText.empty() ? "empty" : field.defaultText) << "; " << field.expected << ")\n"
+      out << "; " << field.description << " ("
+          << (field.unit.empty() ? "" : "unit: " + field.unit + "; ")
+          << "default: " << (field.defaultText.empty() ? "empty" : field.defaultText) << "; "
+          << field.expected << ")\n"
           << field.key << " = " << field.write() << "\n";
     }
     out << "\n";
   }
 }
 
-void Config::refuse(const std::string& section, const std::string& key, const std::string& expected) {
+void Config::refuse(const std::string& section, const std::string& key,
+                    const std::string& expected) {
   throw Error("configuration [" + section + "] " + key, "expected " + expected);
 }
 

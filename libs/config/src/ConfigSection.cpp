@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -27,20 +28,19 @@ std::string format(double value) {
 /** Degrees of a value kept in radians: twelve digits hide the rounding of the conversion. */
 std::string formatDegrees(double value_rad) {
   char buffer[32];
-  const auto end =
-      std::to_chars(buffer, buffer + sizeof buffer, value_rad * kDegreesPerRadian, std::chars_format::general, 12).ptr;
+  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value_rad * kDegreesPerRadian,
+                                 std::chars_format::general, 12)
+                       .ptr;
   return {buffer, end};
 }
 
-template <typename Number>
-Number parse(const std::string& text) {
+double parse(const std::string& text) {
   const std::string word = trimmed(text);
-  Number value{};
+  double value = 0.0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (word.empty() || error != std::errc{} || end != word.data() + word.size())
     throw std::invalid_argument("not a number");
-  if constexpr (std::is_floating_point_v<Number>)
-    if (!std::isfinite(value)) throw std::invalid_argument("not finite");
+  if (!std::isfinite(value)) throw std::invalid_argument("not finite");
   return value;
 }
 
@@ -52,8 +52,10 @@ double checked(double value, Range range) {
 std::string expectedNumber(const std::string& kind, Range range) {
   const bool below = range.lowest > std::numeric_limits<double>::lowest();
   const bool above = range.highest < std::numeric_limits<double>::max();
-  if (below && above) return kind + " from " + format(range.lowest) + " to " + format(range.highest);
-  if (below) return kind + (range.lowest == 1e-9 ? " above 0" : " of at least " + format(range.lowest));
+  if (below && above)
+    return kind + " from " + format(range.lowest) + " to " + format(range.highest);
+  if (below)
+    return kind + (range.lowest == 1e-9 ? " above 0" : " of at least " + format(range.lowest));
   if (above) return kind + " of at most " + format(range.highest);
   return kind;
 }
@@ -62,11 +64,12 @@ std::string expectedNumber(const std::string& kind, Range range) {
 std::vector<std::vector<double>> parseRows(const std::string& text, std::size_t columns) {
   std::vector<std::vector<double>> rows;
   if (trimmed(text).empty()) return rows;
+  if (trimmed(text).back() == ',') throw std::invalid_argument("cut off after a comma");
   std::stringstream stream(text);
   for (std::string row; std::getline(stream, row, ',');) {
     std::vector<double> numbers;
     std::stringstream words(row);
-    for (std::string word; words >> word;) numbers.push_back(parse<double>(word));
+    for (std::string word; words >> word;) numbers.push_back(parse(word));
     if (numbers.size() != columns) throw std::invalid_argument("wrong count of numbers");
     rows.push_back(std::move(numbers));
   }
@@ -77,7 +80,9 @@ std::string formatPose(const mrpt::math::TPose2D& pose) {
   return format(pose.x) + " " + format(pose.y) + " " + formatDegrees(pose.phi);
 }
 
-mrpt::math::TPose2D toPose(const std::vector<double>& row) { return {row[0], row[1], row[2] / kDegreesPerRadian}; }
+mrpt::math::TPose2D toPose(const std::vector<double>& row) {
+  return {row[0], row[1], row[2] / kDegreesPerRadian};
+}
 
 template <typename Items, typename Format>
 std::string joined(const Items& items, Format formatItem, const std::string& separator = ", ") {
@@ -93,45 +98,74 @@ void ConfigSection::add(Field field) {
   fields_.push_back(std::move(field));
 }
 
-void ConfigSection::number(const std::string& key, double& value, Range range, const std::string& unit,
-                           const std::string& text) {
-  add({key, unit, expectedNumber("a number", range), {}, text, [&value] { return format(value); },
-       [&value, range](const std::string& word) { value = checked(parse<double>(word), range); }});
+void ConfigSection::number(const std::string& key, double& value, Range range,
+                           const std::string& unit, const std::string& text) {
+  add({key,
+       unit,
+       expectedNumber("a number", range),
+       {},
+       text,
+       [&value] { return format(value); },
+       [&value, range](const std::string& word) { value = checked(parse(word), range); }});
 }
 
-void ConfigSection::integer(const std::string& key, int& value, Range range, const std::string& unit,
-                            const std::string& text) {
-  add({key, unit, expectedNumber("a whole number", range), {}, text, [&value] { return std::to_string(value); },
+void ConfigSection::integer(const std::string& key, int& value, Range range,
+                            const std::string& unit, const std::string& text) {
+  add({key,
+       unit,
+       expectedNumber("a whole number", range),
+       {},
+       text,
+       [&value] { return std::to_string(value); },
        [&value, range](const std::string& word) {
-         const int parsed = parse<int>(word);
-         checked(parsed, range);
-         value = parsed;
+         const double parsed = checked(parse(word), range);  // $eval{} writes 3 as 3.000000e+00
+         if (parsed != std::trunc(parsed)) throw std::invalid_argument("not a whole number");
+         if (std::abs(parsed) > std::numeric_limits<int>::max())
+           throw std::invalid_argument("out of range");
+         value = static_cast<int>(parsed);
        }});
 }
 
-void ConfigSection::angle(const std::string& key, double& value_rad, Range rangeDeg, const std::string& text) {
+void ConfigSection::angle(const std::string& key, double& value_rad, Range rangeDeg,
+                          const std::string& text) {
   const bool isRate = key.size() > 6 && key.compare(key.size() - 6, 6, "_degps") == 0;
-  add({key, isRate ? "deg/s" : "deg", expectedNumber("a number", rangeDeg), {}, text,
+  add({key,
+       isRate ? "deg/s" : "deg",
+       expectedNumber("a number", rangeDeg),
+       {},
+       text,
        [&value_rad] { return formatDegrees(value_rad); },
        [&value_rad, rangeDeg](const std::string& word) {
-         value_rad = checked(parse<double>(word), rangeDeg) / kDegreesPerRadian;
+         value_rad = checked(parse(word), rangeDeg) / kDegreesPerRadian;
        }});
 }
 
 void ConfigSection::flag(const std::string& key, bool& value, const std::string& text) {
-  addChoice(key, {"false", "true"}, text, [&value] { return std::size_t{value}; },
-            [&value](std::size_t i) { value = i == 1; });
+  addChoice(
+      key, {"false", "true"}, text, [&value] { return std::size_t{value}; },
+      [&value](std::size_t i) { value = i == 1; });
 }
 
 void ConfigSection::text(const std::string& key, std::string& value, const std::string& text) {
-  add({key, "", "text", {}, text, [&value] { return value; },
+  add({key,
+       "",
+       "text",
+       {},
+       text,
+       [&value] { return value; },
        [&value](const std::string& word) { value = trimmed(word); }});
 }
 
-void ConfigSection::points(const std::string& key, std::vector<mrpt::math::TPoint2D>& value, std::size_t fewest,
-                           const std::string& text) {
-  const auto formatPoint = [](const mrpt::math::TPoint2D& p) { return format(p.x) + " " + format(p.y); };
-  add({key, "m", "points \"x y, x y, ...\", at least " + std::to_string(fewest), {}, text,
+void ConfigSection::points(const std::string& key, std::vector<mrpt::math::TPoint2D>& value,
+                           std::size_t fewest, const std::string& text) {
+  const auto formatPoint = [](const mrpt::math::TPoint2D& p) {
+    return format(p.x) + " " + format(p.y);
+  };
+  add({key,
+       "m",
+       "points \"x y, x y, ...\", at least " + std::to_string(fewest),
+       {},
+       text,
        [&value, formatPoint] { return joined(value, formatPoint); },
        [&value, fewest](const std::string& word) {
          const auto rows = parseRows(word, 2);
@@ -141,9 +175,13 @@ void ConfigSection::points(const std::string& key, std::vector<mrpt::math::TPoin
        }});
 }
 
-void ConfigSection::numbers(const std::string& key, std::vector<double>& value, Range range, const std::string& unit,
-                            const std::string& text) {
-  add({key, unit, "numbers \"a, b, ...\", each " + expectedNumber("a number", range), {}, text,
+void ConfigSection::numbers(const std::string& key, std::vector<double>& value, Range range,
+                            const std::string& unit, const std::string& text) {
+  add({key,
+       unit,
+       "numbers \"a, b, ...\", each " + expectedNumber("a number", range),
+       {},
+       text,
        [&value] { return joined(value, format); },
        [&value, range](const std::string& word) {
          const auto rows = parseRows(word, 1);
@@ -153,8 +191,14 @@ void ConfigSection::numbers(const std::string& key, std::vector<double>& value, 
        }});
 }
 
-void ConfigSection::pose(const std::string& key, mrpt::math::TPose2D& value, const std::string& text) {
-  add({key, "m m deg", "a pose \"x y heading\"", {}, text, [&value] { return formatPose(value); },
+void ConfigSection::pose(const std::string& key, mrpt::math::TPose2D& value,
+                         const std::string& text) {
+  add({key,
+       "m m deg",
+       "a pose \"x y heading\"",
+       {},
+       text,
+       [&value] { return formatPose(value); },
        [&value](const std::string& word) {
          const auto rows = parseRows(word, 3);
          if (rows.size() != 1) throw std::invalid_argument("not one pose");
@@ -162,8 +206,13 @@ void ConfigSection::pose(const std::string& key, mrpt::math::TPose2D& value, con
        }});
 }
 
-void ConfigSection::poses(const std::string& key, std::vector<mrpt::math::TPose2D>& value, const std::string& text) {
-  add({key, "m m deg", "poses \"x y heading, x y heading, ...\"", {}, text,
+void ConfigSection::poses(const std::string& key, std::vector<mrpt::math::TPose2D>& value,
+                          const std::string& text) {
+  add({key,
+       "m m deg",
+       "poses \"x y heading, x y heading, ...\"",
+       {},
+       text,
        [&value] { return joined(value, formatPose); },
        [&value](const std::string& word) {
          const auto rows = parseRows(word, 3);
@@ -172,10 +221,18 @@ void ConfigSection::poses(const std::string& key, std::vector<mrpt::math::TPose2
        }});
 }
 
-void ConfigSection::addChoice(const std::string& key, std::vector<std::string> names, const std::string& text,
-                              std::function<std::size_t()> get, std::function<void(std::size_t)> set) {
-  const std::string expected = "one of " + joined(names, [](const std::string& n) { return n; }, " | ");
-  add({key, "", expected, {}, text, [names, get] { return names[get()]; },
+void ConfigSection::addChoice(const std::string& key, std::vector<std::string> names,
+                              const std::string& text, std::function<std::size_t()> get,
+                              std::function<void(std::size_t)> set) {
+  const std::string expected =
+      "one of " + joined(
+                      names, [](const std::string& n) { return n; }, " | ");
+  add({key,
+       "",
+       expected,
+       {},
+       text,
+       [names, get] { return names[get()]; },
        [names, set](const std::string& word) {
          const auto found = std::find(names.begin(), names.end(), trimmed(word));
          if (found == names.end()) throw std::invalid_argument("unknown word");

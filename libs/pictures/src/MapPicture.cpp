@@ -111,4 +111,12 @@ TPoint2D MapPicture::pixelOf(const TPoint2D& p) const {
 
 Picture MapPicture::finished() const { return page_->finished(); }
 
+Picture MapPicture::legend(int width_px) const {
+  constexpr int kPad = 12;
+  const double inner = width_px - 2.0 * kPad;
+  PictureCanvas canvas(width_px, static_cast<int>(page_->legend.height(inner)) + 2 * kPad);
+  page_->legend.draw(canvas, {double(kPad), double(kPad)}, inner);
+  return canvas.finished();
+}
+
 }  // namespace bslnav

@@ -6,7 +6,8 @@
 
 namespace bslnav {
 
-Picture tiled(const std::vector<PictureTile>& tiles, int columns, const std::string& title) {
+Picture tiled(const std::vector<PictureTile>& tiles, int columns, const std::string& title,
+              const Picture& footer) {
   constexpr int kMargin = 20, kCaptionHeight = 34;
   const TextStyle captionStyle{15.0, palette::kInk, true, false};
   const int count = static_cast<int>(tiles.size());
@@ -17,11 +18,11 @@ Picture tiled(const std::vector<PictureTile>& tiles, int columns, const std::str
     height = std::max(height, tile.picture.height);
   }
   const int rows = (count + columns - 1) / columns, cellHeight = kCaptionHeight + height + kMargin;
-  const int pageWidth = kMargin + columns * (width + kMargin);
+  const int pageWidth = std::max(kMargin + columns * (width + kMargin), footer.width + 2 * kMargin);
   const PictureHeading heading(title, "", pageWidth - 2.0 * kMargin);
   const int top = kMargin + static_cast<int>(heading.height());
 
-  PictureCanvas page(pageWidth, top + rows * cellHeight);
+  PictureCanvas page(pageWidth, top + rows * cellHeight + footer.height);
   heading.draw(page, {double(kMargin), double(kMargin)});
   for (int i = 0; i < count; ++i) {
     const PictureTile& tile = tiles[static_cast<std::size_t>(i)];
@@ -29,6 +30,7 @@ Picture tiled(const std::vector<PictureTile>& tiles, int columns, const std::str
     page.text({x + width / 2.0, y + 20.0}, tile.caption, captionStyle, TextAlign::Centre);
     page.paste(tile.picture, x + (width - tile.picture.width) / 2, y + kCaptionHeight);
   }
+  if (footer.height > 0) page.paste(footer, (pageWidth - footer.width) / 2, top + rows * cellHeight);
   return page.finished();
 }
 

@@ -11,37 +11,46 @@
 
 namespace bslnav {
 
-/** The strict configuration of one program: its sections, loaded from INI files and command-line overrides.
+/** The strict configuration of one program: its sections, loaded from INI files and command-line
+ * overrides.
  *
- * Files are MRPT INI files (`@define`, `${X}`, `$eval{}`, `$env{}` work). Every key and section must be described, every value
- * complete and in range; anything else throws `Error` naming file, section, key and what was expected.
+ * Files are MRPT INI files (`@define`, `${X}`, `$eval{}`, `$env{}` work). Every key and section
+ * must be described, every value complete and in range, every line understood, no key given twice
+ * in a file; anything else throws `Error` naming file, section, key and what was expected.
  */
 class Config {
  public:
-  /** Adds a section whose keys `parameters.describe()` binds; `parameters` must outlive this object. */
+  /** Adds a section whose keys `parameters.describe()` binds; `parameters` must outlive this
+   * object. */
   template <typename Parameters>
   void bind(const std::string& name, const std::string& description, Parameters& parameters) {
     parameters.describe(addSection(name, description));
   }
 
-  /** Adds a repeated section: each `[kind:NAME]` in a file makes (or goes on with) entry NAME of `entries`. */
+  /** Adds a repeated section: each `[kind:NAME]` in a file makes (or goes on with) entry NAME of
+   * `entries`. */
   template <typename Parameters>
   void bindRepeated(const std::string& kind, const std::string& description,
                     std::map<std::string, Parameters>& entries) {
-    repeated_.push_back({kind, description, [&entries](const std::string& name, ConfigSection& section) {
-                           entries[name].describe(section);
-                         }});
+    repeated_.push_back(
+        {kind, description, [&entries](const std::string& name, ConfigSection& section) {
+           entries[name].describe(section);
+         }});
   }
 
   /** Loads files in order, later ones override earlier ones, then "section.key=value" overrides.
-   *  @throws Error on a missing file, an unknown section or key, or a value that is malformed or out of range. */
+   *  @throws Error on a missing file, an unknown section or key, or a value that is malformed or
+   * out of range. */
   void load(const std::vector<std::string>& files, const std::vector<std::string>& overrides = {});
 
-  /** Writes every section and key with description, unit, default and accepted values; the output can be loaded again. */
+  /** Writes every section and key with description, unit, default and accepted values; the output
+   * can be loaded again. */
   void print(std::ostream& out) const;
 
-  /** Checks of more than one key: called by the parameters' owner; throws Error naming section and key. */
-  [[noreturn]] static void refuse(const std::string& section, const std::string& key, const std::string& expected);
+  /** Checks of more than one key: called by the parameters' owner; throws Error naming section and
+   * key. */
+  [[noreturn]] static void refuse(const std::string& section, const std::string& key,
+                                  const std::string& expected);
 
  private:
   struct Repeated {
@@ -51,14 +60,17 @@ class Config {
 
   ConfigSection& addSection(const std::string& name, const std::string& description);
   ConfigSection* findOrMakeSection(const std::string& name);
-  void set(const std::string& where, const std::string& section, const std::string& key, const std::string& value);
+  ConfigSection& section(const std::string& where, const std::string& name);
+  void set(const std::string& where, const std::string& section, const std::string& key,
+           const std::string& value);
   void loadFile(const std::string& file);
 
   std::deque<ConfigSection> sections_;  // a deque keeps references valid while it grows
   std::vector<Repeated> repeated_;
 };
 
-/** The directory with config/ and maps/: beside the installed program, else the source tree it was built from.
+/** The directory with config/ and maps/: beside the installed program, else the source tree it was
+ * built from.
  *  @throws Error when neither exists. */
 std::string dataDirectory();
 

@@ -82,6 +82,8 @@ class MapPicture {
    * top. */
   mrpt::math::TPoint2D pixelOf(const mrpt::math::TPoint2D& p) const;
   Picture finished() const;
+  /** The legend alone, at most this wide, for pages that show several pictures. */
+  Picture legend(int width_px) const;
   /** Writes a PNG. @throws Error (Run) when it cannot */
   void save(const std::string& path) const { finished().save(path); }
 

@@ -13,7 +13,9 @@ struct PictureTile {
 };
 
 /** Puts pictures beside each other, row by row, `columns` a row, each under its caption.
- *  Every tile gets the size of the largest one. @param title above all of them; empty for none */
-Picture tiled(const std::vector<PictureTile>& tiles, int columns, const std::string& title = "");
+ *  Every tile gets the size of the largest one. @param title above all of them; empty for none
+ *  @param footer below all of them, for example their legend */
+Picture tiled(const std::vector<PictureTile>& tiles, int columns, const std::string& title = "",
+              const Picture& footer = {});
 
 }  // namespace bslnav

@@ -1,0 +1,8 @@
+#pragma once
+
+namespace bslnav {
+
+/** The version of the project, "MAJOR.MINOR.PATCH". */
+const char* version();
+
+}  // namespace bslnav

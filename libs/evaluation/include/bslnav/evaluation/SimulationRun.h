@@ -1,0 +1,28 @@
+#pragma once
+
+#include <bslnav/evaluation/RunSummary.h>
+#include <bslnav/evaluation/SimulationSetup.h>
+#include <bslnav/navigation/NavigationCycle.h>
+#include <bslnav/simulation/Simulator.h>
+
+#include <functional>
+
+namespace bslnav {
+
+/** What an observer of a simulated run sees after every control cycle. */
+struct SimulationMoment {
+  const CycleRecord& record;
+  const SimulationState& truth;
+  const NavigationCycle& cycle;
+};
+
+/** Called after every cycle; returning false interrupts the run: the robot is told to stop, and the outcome is error. */
+using SimulationObserver = std::function<bool(const SimulationMoment&)>;
+
+/** Drives the robot of a setup to its goal, in simulated time.
+ *
+ * The same setup and seed give the same run. Exceptions of the observer pass through.
+ *  @throws Error when the setup cannot be run (start in collision, goal outside the map) */
+RunSummary runSimulation(const SimulationSetup& setup, std::uint64_t seed, const SimulationObserver& observer = {});
+
+}  // namespace bslnav

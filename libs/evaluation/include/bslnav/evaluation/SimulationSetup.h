@@ -1,0 +1,67 @@
+#pragma once
+
+#include <bslnav/navigation/LocalizationParticleFilter.h>
+#include <bslnav/navigation/NavigationParameters.h>
+#include <bslnav/simulation/LaserSensor.h>
+#include <bslnav/simulation/SimulatedRobot.h>
+#include <bslnav/simulation/WorldParameters.h>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace bslnav {
+
+/** Where the robot's pose comes from. */
+enum class PoseSource : std::uint8_t { Truth, Odometry, ParticleFilter };
+
+struct LocalizationParameters {
+  PoseSource source = PoseSource::Truth;
+
+  void describe(ConfigSection& section);
+};
+
+/** One case: from where to where, in which map, and what varies from seed to seed. */
+struct ScenarioParameters {
+  std::string name = "unnamed";
+  mrpt::math::TPose2D start;
+  std::vector<mrpt::math::TPose2D> goals;  ///< the last one is the goal, those before are waypoints
+  double timeLimit_s = 90.0;
+  std::string map = "world";               ///< "world": a survey of it; "none"; or a file
+  double triggerVariation_m = 0.0;
+  double speedVariation = 0.0;
+
+  void describe(ConfigSection& section);
+};
+
+struct PictureParameters {
+  std::vector<double> snapshots_s;
+  bool recordCandidates = false;
+
+  void describe(ConfigSection& section);
+};
+
+/** Everything that a simulated run is made of. */
+struct SimulationSetup {
+  NavigationParameters navigation;
+  ScenarioParameters scenario;
+  LocalizationParameters localization;
+  ParticleFilterParameters particleFilter;
+  SimulatedRobotParameters robot;
+  std::map<std::string, LaserParameters> lasers;
+  WorldParameters world;
+  PictureParameters pictures;
+
+  /** Binds every part to its section; this object must outlive the configuration. */
+  void bind(Config& config);
+  /** Checks of more than one key. @throws Error */
+  void check() const;
+  /** The static map that the robot navigates by; null for none. @throws Error */
+  std::shared_ptr<const mrpt::maps::COccupancyGridMap2D> makeMap() const;
+};
+
+/** The setup of one seed: trigger lines shifted along x and speeds scaled, uniformly within the scenario's variation. */
+SimulationSetup varied(SimulationSetup setup, std::uint64_t seed);
+
+}  // namespace bslnav

@@ -1,0 +1,143 @@
+#include <bslnav/costmap/MapLoader.h>
+#include <bslnav/evaluation/RawlogRun.h>
+#include <bslnav/navigation/Localization.h>
+#include <bslnav/navigation/RawlogReader.h>
+#include <mrpt/maps/COccupancyGridMap2D.h>
+#include <mrpt/system/CTicTac.h>
+
+#include <cmath>
+
+namespace bslnav {
+namespace {
+
+/** The map that the log's own scans give at the localised poses. */
+std::shared_ptr<const mrpt::maps::COccupancyGridMap2D> mapFromLog(const RawlogSetup& setup, const RecordedPath& path) {
+  auto map = std::make_shared<mrpt::maps::COccupancyGridMap2D>(-1.0, 1.0, -1.0, 1.0, setup.rawlog.mapResolution_m);
+  RawlogReader reader(setup.rawlog.file, setup.rawlog.gap_s);
+  for (SensorFrame frame; reader.next(frame);) {
+    const mrpt::poses::CPose3D pose(path.poseAt(frame.time_s));
+    for (const auto& scan : frame.scans) map->insertObservation(*scan, pose);
+  }
+  return map;
+}
+
+void takeOver(const RawlogStatistics& statistics, RawlogFindings& findings) {
+  findings.records = static_cast<long>(statistics.entries);
+  findings.frames = static_cast<long>(statistics.frames);
+  findings.unusableBeams_percent = statistics.unusableBeams_percent();
+  findings.hasOdometry = statistics.hasOdometry;
+  if (statistics.truncated) findings.truncatedAtRecord = static_cast<long>(statistics.truncatedAtRecord);
+  for (const auto& jump : statistics.clockJumps) findings.clockJumpsAtRecords.push_back(static_cast<long>(jump.record));
+}
+
+/** Sums up how the planner's commands differ from what the robot did. */
+struct Comparison {
+  double speed = 0.0, yawRate = 0.0, slower = 0.0;
+  long cycles = 0;
+
+  void add(const CycleRecord& record) {
+    const auto chosen = chosenVelocity(record);
+    const double difference = chosen.vx - record.twist.vx;
+    speed += std::abs(difference);
+    yawRate += std::abs(chosen.omega - record.twist.omega);
+    slower += difference <= -0.1;
+    ++cycles;
+  }
+  void finish(RawlogFindings& findings) const {
+    const double n = std::max(1.0, static_cast<double>(cycles));
+    findings.speedDifferenceMean_mps = speed / n;
+    findings.yawRateDifferenceMean_radps = yawRate / n;
+    findings.slowerThanRecorded_percent = 100.0 * slower / n;
+  }
+};
+
+std::string warnings(const RawlogFindings& findings) {
+  std::string text;
+  const auto add = [&text](const std::string& part) { text += (text.empty() ? "" : "; ") + part; };
+  if (findings.truncatedAtRecord)
+    add("the log is truncated: evaluated up to record " + std::to_string(*findings.truncatedAtRecord));
+  if (!findings.hasOdometry) add("the log has no odometry: the robot seems to stand");
+  if (!findings.clockJumpsAtRecords.empty())
+    add(std::to_string(findings.clockJumpsAtRecords.size()) + " clock jumps, the first at record " +
+        std::to_string(findings.clockJumpsAtRecords.front()));
+  return text;
+}
+
+}  // namespace
+
+mrpt::math::TTwist2D chosenVelocity(const CycleRecord& record) {
+  if (!record.motion.planned || record.dwa.best < 0) return record.motion.command;
+  const Candidate& best = record.dwa.candidates[static_cast<std::size_t>(record.dwa.best)];
+  return {best.v_mps, 0.0, best.w_radps};
+}
+
+LocalizedLog localizeLog(const RawlogSetup& setup, std::uint64_t seed) {
+  setup.check();
+  mrpt::system::CTicTac watch;
+  std::shared_ptr<const mrpt::maps::COccupancyGridMap2D> map;
+  if (setup.rawlog.map != "none" && setup.rawlog.map != "log")
+    map = loadMap(setup.rawlog.map, {setup.rawlog.mapResolution_m, {0.0, 0.0}});
+
+  RawlogReader reader(setup.rawlog.file, setup.rawlog.gap_s);
+  std::unique_ptr<Localization> localization;
+  if (setup.localization.source == PoseSource::ParticleFilter)
+    localization = std::make_unique<ParticleFilterLocalization>(setup.particleFilter, map, setup.rawlog.initialPose,
+                                                                static_cast<std::uint32_t>(seed));
+  else
+    localization = std::make_unique<OdometryLocalization>(setup.rawlog.initialPose);
+  watch.Tic();
+  RecordedPath path = recordPath(reader, *localization);
+  if (setup.rawlog.map == "log") map = mapFromLog(setup, path);
+
+  RawlogFindings findings;
+  findings.log = setup.rawlog.file;
+  takeOver(reader.statistics(), findings);
+  findings.recorded_s = path.duration_s();
+  findings.recordedPath_m = path.length_m();
+  findings.meanSpread_m = localization->spread_m();
+  findings.wall_s = watch.Tac();
+  return {std::move(path), std::move(map), std::move(findings)};
+}
+
+RunSummary evaluateLog(const RawlogSetup& setup, const LocalizedLog& log, std::uint64_t seed,
+                       const RawlogObserver& observer) {
+  mrpt::system::CTicTac watch;
+  watch.Tic();
+  NavigationParameters navigation = setup.navigation;
+  navigation.recovery.enabled = false;  // the robot does not do what it is told here
+  NavigationCycle cycle(navigation, log.map);
+  RunSummary summary;
+  summary.seed = seed;
+  summary.method = navigation.method.number;
+  summary.methodName = navigation.method.name;
+  summary.outcome = Outcome::Goal;
+  RawlogFindings findings = log.findings;
+  summary.reason = warnings(findings);
+
+  Metrics metrics;
+  Comparison comparison;
+  RawlogReader reader(setup.rawlog.file, setup.rawlog.gap_s);
+  double last_s = 0.0;
+  for (SensorFrame frame; reader.next(frame);) {
+    frame.mapFromRobot = log.path.poseAt(frame.time_s);
+    cycle.setGoals({log.path.goalAhead(frame.time_s, setup.rawlog.goalAhead_s)});
+    const CycleRecord& record = cycle.step(frame);
+    metrics.add(record, {frame.mapFromRobot.x, frame.mapFromRobot.y}, frame.twist.vx,
+                frame.afterGap ? 0.0 : frame.time_s - last_s);
+    last_s = frame.time_s;
+    comparison.add(record);
+    if (observer && !observer({record, cycle, frame.time_s / std::max(1e-9, log.findings.recorded_s)})) {
+      summary.outcome = Outcome::Error;
+      summary.reason = "interrupted";
+      break;
+    }
+  }
+  metrics.finish(summary);
+  comparison.finish(findings);
+  findings.wall_s += watch.Tac();
+  summary.duration_s = log.path.duration_s();
+  summary.rawlog = std::move(findings);
+  return summary;
+}
+
+}  // namespace bslnav

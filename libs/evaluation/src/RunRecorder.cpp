@@ -1,0 +1,143 @@
+#include <bslnav/config/Error.h>
+#include <bslnav/evaluation/RunRecorder.h>
+#include <bslnav/config/Version.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace bslnav {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kCyclesHeader =
+    "cycle,time_s,x_m,y_m,heading_rad,true_x_m,true_y_m,true_heading_rad,speed_mps,yaw_rate_radps,"
+    "command_speed_mps,command_yaw_rate_radps,mode,health,reason,beams,dropped_beams,blind_spots,replanned,path_points,"
+    "candidates_admissible,c_pos_m,c_gol_m,c_dan,c_vel_spm,cost\n";
+constexpr const char* kCandidatesHeader = "cycle,speed_mps,yaw_rate_radps,verdict,c_pos_m,c_gol_m,c_dan,c_vel_spm,cost\n";
+
+std::string row(const char* format, ...) __attribute__((format(printf, 1, 2)));
+std::string row(const char* format, ...) {
+  char buffer[512];
+  va_list arguments;
+  va_start(arguments, format);
+  const int written = std::vsnprintf(buffer, sizeof buffer, format, arguments);
+  va_end(arguments);
+  return {buffer, static_cast<std::size_t>(std::min<int>(written, sizeof buffer - 1))};
+}
+
+std::string chosenCandidate(const CycleRecord& record) {
+  if (!record.motion.planned) return ",,,,,";
+  int admissible = 0;
+  for (const Candidate& c : record.dwa.candidates) admissible += c.verdict == Candidate::Verdict::Admissible;
+  if (record.dwa.best < 0) return row("%d,,,,,", admissible);
+  const Candidate& best = record.dwa.candidates[static_cast<std::size_t>(record.dwa.best)];
+  return row("%d,%.4f,%.4f,%.4f,%.4f,%.4f", admissible, best.terms.path, best.terms.goal, best.terms.danger,
+             best.terms.velocity, best.total);
+}
+
+Json orNull(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+Json toJson(const Percentiles& p) { return {{"p50", p.p50}, {"p99", p.p99}, {"max", p.max}}; }
+
+Json toJson(const RawlogFindings& f) {
+  return {{"log", f.log},
+          {"records", f.records},
+          {"frames", f.frames},
+          {"recorded_s", f.recorded_s},
+          {"recorded_path_m", f.recordedPath_m},
+          {"unusable_beams_percent", f.unusableBeams_percent},
+          {"has_odometry", f.hasOdometry},
+          {"truncated_at_record", f.truncatedAtRecord ? Json(*f.truncatedAtRecord) : Json(nullptr)},
+          {"clock_jumps_at_records", f.clockJumpsAtRecords},
+          {"localization_spread_mean_m", f.meanSpread_m},
+          {"speed_difference_mean_mps", f.speedDifferenceMean_mps},
+          {"yaw_rate_difference_mean_radps", f.yawRateDifferenceMean_radps},
+          {"slower_than_recorded_percent", f.slowerThanRecorded_percent},
+          {"wall_s", f.wall_s},
+          {"times_faster_than_recording", f.recorded_s / f.wall_s}};
+}
+
+Json toJson(const RunSummary& s) {
+  Json json{{"outcome", nameOf(s.outcome)},
+          {"reason", s.reason},
+          {"time_to_goal_s", orNull(s.timeToGoal_s)},
+          {"duration_s", s.duration_s},
+          {"path_length_m", s.pathLength_m},
+          {"mean_speed_mps", s.meanSpeed_mps},
+          {"contact", s.contact},
+          {"at_fault", s.atFault},
+          {"impact_speed_mps", orNull(s.impactSpeed_mps)},
+          {"min_clearance_m", orNull(s.minClearance_m)},
+          {"time_stopped_s", s.timeStopped_s},
+          {"blind_spots_mean", s.blindSpotsMean},
+          {"cycles", s.cycles},
+          {"blocked_cycles", s.blockedCycles},
+          {"unhealthy_cycles", s.unhealthyCycles},
+          {"dropped_beams", s.droppedBeams},
+          {"cycle_ms", toJson(s.cycle_ms)},
+          {"stages_ms",
+           {{"blind_spots", toJson(s.blindSpots_ms)},
+            {"costmap", toJson(s.costmap_ms)},
+            {"global_plan", toJson(s.globalPlan_ms)},
+            {"motion", toJson(s.motion_ms)}}},
+          {"seed", s.seed},
+          {"method", s.method},
+          {"method_name", s.methodName},
+          {"version", version()}};
+  if (s.rawlog) json["rawlog"] = toJson(*s.rawlog);
+  return json;
+}
+
+}  // namespace
+
+void writeFile(const std::string& path, const std::string& text) {
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  file.close();
+  if (!file) throw Error(path, "cannot be written", Error::Kind::Run);
+}
+
+RunRecorder::RunRecorder(const std::string& directory, const Config& config) : directory_(directory) {
+  std::error_code problem;
+  std::filesystem::create_directories(directory, problem);
+  if (problem) throw Error(directory, "cannot be made: " + problem.message(), Error::Kind::Run);
+  std::ostringstream ini;
+  config.print(ini);
+  writeFile(path("config.ini"), ini.str());
+  cycles_.open(path("cycles.csv"), std::ios::binary);
+  cycles_ << kCyclesHeader;
+  if (!cycles_) throw Error(path("cycles.csv"), "cannot be written", Error::Kind::Run);
+}
+
+void RunRecorder::recordCandidates() {
+  candidates_.open(path("candidates.csv"), std::ios::binary);
+  candidates_ << kCandidatesHeader;
+}
+
+void RunRecorder::write(const CycleRecord& r, const mrpt::math::TPose2D& truePose) {
+  cycles_ << row("%d,%.3f,%.4f,%.4f,%.5f,%.4f,%.4f,%.5f,%.4f,%.5f,%.4f,%.5f,%s,%s,%s,%d,%d,%zu,%d,%zu,", r.index, r.time_s,
+                 r.mapFromRobot.x, r.mapFromRobot.y, r.mapFromRobot.phi, truePose.x, truePose.y, truePose.phi, r.twist.vx,
+                 r.twist.omega, r.motion.command.vx, r.motion.command.omega, nameOf(r.motion.mode), nameOf(r.health),
+                 reasonOf(r).c_str(), r.beams, r.droppedBeams, r.blindSpots.size(), int{r.replanned}, r.path.size())
+          << chosenCandidate(r) << '\n';
+  if (!candidates_.is_open() || !r.motion.planned) return;
+  static constexpr const char* kVerdicts[] = {"admissible", "obstacle", "unknown", "oscillation"};
+  for (const Candidate& c : r.dwa.candidates)
+    candidates_ << row("%d,%.4f,%.5f,%s,%.4f,%.4f,%.4f,%.4f,%.4f\n", r.index, c.v_mps, c.w_radps,
+                       kVerdicts[static_cast<int>(c.verdict)], c.terms.path, c.terms.goal, c.terms.danger, c.terms.velocity,
+                       c.total);
+}
+
+void RunRecorder::finish(const RunSummary& summary) {
+  cycles_.close();
+  if (candidates_.is_open()) candidates_.close();
+  if (!cycles_ || !candidates_) throw Error(path("cycles.csv"), "not written in full; is the disk full?", Error::Kind::Run);
+  writeFile(path("summary.json"), toJson(summary).dump(2) + "\n");
+}
+
+}  // namespace bslnav

@@ -1,0 +1,59 @@
+#include <bslnav/evaluation/RunSummary.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace bslnav {
+namespace {
+
+constexpr double kStopped_mps = 0.01;
+
+Percentiles percentilesOf(const std::vector<StageTimes>& times, double StageTimes::*stage) {
+  if (times.empty()) return {};
+  std::vector<double> values;
+  values.reserve(times.size());
+  for (const StageTimes& t : times) values.push_back(1e3 * (t.*stage));
+  std::sort(values.begin(), values.end());
+  const auto at = [&values](double share) {
+    return values[static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size()))) - 1];
+  };
+  return {at(0.5), at(0.99), values.back()};
+}
+
+}  // namespace
+
+const char* nameOf(Outcome outcome) {
+  static constexpr const char* kNames[] = {"goal", "contact", "timeout", "stuck", "error"};
+  return kNames[static_cast<int>(outcome)];
+}
+
+void Metrics::add(const CycleRecord& record, const mrpt::math::TPoint2D& position, double speed_mps, double period_s) {
+  if (cycles_ > 0) path_m_ += (position - last_).norm();
+  last_ = position;
+  ++cycles_;
+  blocked_ += record.motion.blocked;
+  unhealthy_ += record.health != CycleRecord::Health::Ok;
+  droppedBeams_ += record.droppedBeams;
+  blindSpots_ += static_cast<double>(record.blindSpots.size());
+  moved_s_ += period_s;
+  if (std::abs(speed_mps) < kStopped_mps) stopped_s_ += period_s;
+  times_.push_back(record.times);
+}
+
+void Metrics::finish(RunSummary& summary) const {
+  summary.cycles = cycles_;
+  summary.blockedCycles = blocked_;
+  summary.unhealthyCycles = unhealthy_;
+  summary.droppedBeams = droppedBeams_;
+  summary.pathLength_m = path_m_;
+  summary.meanSpeed_mps = moved_s_ > 0.0 ? path_m_ / moved_s_ : 0.0;
+  summary.timeStopped_s = stopped_s_;
+  summary.blindSpotsMean = cycles_ > 0 ? blindSpots_ / cycles_ : 0.0;
+  summary.cycle_ms = percentilesOf(times_, &StageTimes::total_s);
+  summary.blindSpots_ms = percentilesOf(times_, &StageTimes::blindSpots_s);
+  summary.costmap_ms = percentilesOf(times_, &StageTimes::costmap_s);
+  summary.globalPlan_ms = percentilesOf(times_, &StageTimes::globalPlan_s);
+  summary.motion_ms = percentilesOf(times_, &StageTimes::motion_s);
+}
+
+}  // namespace bslnav

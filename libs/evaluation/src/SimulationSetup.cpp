@@ -1,0 +1,82 @@
+#include <bslnav/config/Error.h>
+#include <bslnav/costmap/MapLoader.h>
+#include <bslnav/evaluation/SimulationSetup.h>
+#include <bslnav/simulation/StaticMap.h>
+#include <mrpt/random/RandomGenerators.h>
+
+#include <cmath>
+
+namespace bslnav {
+
+void LocalizationParameters::describe(ConfigSection& section) {
+  section.choice("source", source,
+                 {{"truth", PoseSource::Truth},
+                  {"odometry", PoseSource::Odometry},
+                  {"particle_filter", PoseSource::ParticleFilter}},
+                 "where the robot's pose comes from; the truth is known only in simulation");
+}
+
+void ScenarioParameters::describe(ConfigSection& section) {
+  section.text("name", name, "name in pictures and tables");
+  section.pose("start", start, "where the robot starts");
+  section.poses("goals", goals, "the goal, after any waypoints");
+  section.number("time_limit_s", timeLimit_s, kPositive, "s", "the run ends as a timeout after this");
+  section.text("map", map, "'world' (a survey of the simulated world), 'none', or a map file");
+  section.number("trigger_variation_m", triggerVariation_m, kNonNegative, "m",
+                 "over seeds, trigger lines are shifted along x by up to this");
+  section.number("speed_variation", speedVariation, {0.0, 0.9}, "",
+                 "over seeds, people's speeds are scaled by up to this much more or less");
+}
+
+void PictureParameters::describe(ConfigSection& section) {
+  section.numbers("snapshots_s", snapshots_s, kNonNegative, "s", "times of the cost map snapshots");
+  section.flag("record_candidates", recordCandidates, "whether to write candidates.csv: every candidate of every cycle");
+}
+
+void SimulationSetup::bind(Config& config) {
+  config.bind("scenario", "From where to where.", scenario);
+  navigation.bind(config);
+  config.bind("localization", "Where the robot is.", localization);
+  config.bind("particle_filter", "MRPT's particle filter, when [localization] source is particle_filter.", particleFilter);
+  config.bind("simulated_robot", "The simulated base.", robot);
+  config.bindRepeated("laser", "A laser range finder on the robot.", lasers);
+  config.bindRepeated("wall", "A wall along a polyline.", world.walls);
+  config.bindRepeated("box", "A box, or with z_min_m a table top or an overhang.", world.boxes);
+  config.bindRepeated("cylinder", "A pole or a pillar.", world.cylinders);
+  config.bindRepeated("pedestrian", "A person who walks along a path when the robot crosses a line.", world.pedestrians);
+  config.bind("pictures", "What is drawn and recorded besides the standard files.", pictures);
+}
+
+void SimulationSetup::check() const {
+  navigation.check();
+  world.check();
+  if (scenario.goals.empty()) Config::refuse("scenario", "goals", "at least one pose");
+  if (lasers.empty()) Config::refuse("laser:NAME", "beams", "at least one laser");
+}
+
+std::shared_ptr<const mrpt::maps::COccupancyGridMap2D> SimulationSetup::makeMap() const {
+  if (scenario.map == "none") return nullptr;
+  std::shared_ptr<const mrpt::maps::COccupancyGridMap2D> map;
+  if (scenario.map == "world")
+    map = staticMap(world, navigation.costmap.resolution_m, lasers.begin()->second.z_m, 1.0);
+  else
+    map = loadMap(scenario.map);
+  for (const auto& goal : scenario.goals)
+    if (goal.x < map->getXMin() || goal.x > map->getXMax() || goal.y < map->getYMin() || goal.y > map->getYMax())
+      Config::refuse("scenario", "goals", "goals within the map, x " + std::to_string(map->getXMin()) + " to " +
+                                              std::to_string(map->getXMax()) + ", y " + std::to_string(map->getYMin()) +
+                                              " to " + std::to_string(map->getYMax()) + " [m]");
+  return map;
+}
+
+SimulationSetup varied(SimulationSetup setup, std::uint64_t seed) {
+  mrpt::random::CRandomGenerator random(static_cast<std::uint32_t>(seed));
+  for (auto& [name, person] : setup.world.pedestrians) {
+    const double shift = random.drawUniform(-1.0, 1.0) * setup.scenario.triggerVariation_m;
+    for (auto& point : person.triggerLine_m) point.x += shift;
+    person.speed_mps *= 1.0 + random.drawUniform(-1.0, 1.0) * setup.scenario.speedVariation;
+  }
+  return setup;
+}
+
+}  // namespace bslnav
