@@ -21,7 +21,8 @@ void load(SimulationSetup& setup, Config& config, CommonOptions options, int met
 }
 
 int compare(const CommonOptions& options, const std::vector<int>& methods, int runs) {
-  if (options.configs.empty()) throw Error("bslnav-experiment seeds", "no configuration; see --help");
+  if (options.configs.empty())
+    throw Error("bslnav-experiment seeds", "no configuration; see --help");
   SeedTable table;
   listenForInterrupts();
   for (int i = 0; i < runs && !interrupted(); ++i)
@@ -31,7 +32,8 @@ int compare(const CommonOptions& options, const std::vector<int>& methods, int r
       load(setup, config, options, method);
       table.scenario = setup.scenario.name;
       const std::uint64_t seed = options.seed + static_cast<std::uint64_t>(i);
-      showProgress("seed " + std::to_string(seed) + ", method " + std::to_string(method), options.quiet);
+      showProgress("seed " + std::to_string(seed) + ", method " + std::to_string(method),
+                   options.quiet);
       table.runs.push_back(runSimulation(varied(setup, seed), seed));
     }
   showProgress("", options.quiet);
@@ -48,15 +50,20 @@ int compare(const CommonOptions& options, const std::vector<int>& methods, int r
 
 int main(int argc, char** argv) {
   CLI::App app("Compares methods over many seeds of a scenario.", "bslnav-experiment");
-  app.footer("Example:\n  bslnav-experiment seeds config/scenarios/s1.ini --methods 1 2 --runs 17 --out out/s1-seeds");
+  app.footer(
+      "Example:\n  bslnav-experiment seeds config/scenarios/s1.ini --methods 1 2 --runs 17 --out "
+      "out/s1-seeds");
   app.require_subcommand(1);
-  CLI::App* seeds = app.add_subcommand(
-      "seeds", "runs each method over the same seeds: trigger lines and speeds vary as [scenario] says, and so does all noise");
+  CLI::App* seeds = app.add_subcommand("seeds",
+                                       "runs each method over the same seeds: trigger lines and "
+                                       "speeds vary as [scenario] says, and so does all noise");
   CommonOptions options;
   options.addTo(*seeds, "out");
   std::vector<int> methods{1, 2};
   int runs = 17;
   seeds->add_option("--methods", methods, "methods to compare")->capture_default_str();
-  seeds->add_option("--runs", runs, "seeds a method, from --seed on")->check(CLI::Range(1, 1000000))->capture_default_str();
+  seeds->add_option("--runs", runs, "seeds a method, from --seed on")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
   return runApp(app, argc, argv, [&] { return compare(options, methods, runs); });
 }

@@ -11,7 +11,8 @@
 
 namespace {
 
-int evaluate(const bslnav::CommonOptions& options, const std::string& rawlog, const std::string& map) {
+int evaluate(const bslnav::CommonOptions& options, const std::string& rawlog,
+             const std::string& map) {
   using namespace bslnav;
   RawlogSetup setup;
   Config config;
@@ -41,15 +42,19 @@ int evaluate(const bslnav::CommonOptions& options, const std::string& rawlog, co
   showProgress("", options.quiet);
   recorder.finish(summary);
   const auto paths = pictures.save(summary, recorder.directory());
-  if (!options.quiet) printSummary(std::cout, setup.rawlog.file, summary, recorder.directory(), paths);
+  if (!options.quiet)
+    printSummary(std::cout, setup.rawlog.file, summary, recorder.directory(), paths);
   return exitCodeOf(summary);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Evaluates a recorded log offline: what would the planner have seen and commanded?", "bslnav-rawlog");
-  app.footer("Example:\n  bslnav-rawlog config/rawlog.ini --rawlog near-miss.rawlog --method 2 --out out/near-miss");
+  CLI::App app("Evaluates a recorded log offline: what would the planner have seen and commanded?",
+               "bslnav-rawlog");
+  app.footer(
+      "Example:\n  bslnav-rawlog config/rawlog.ini --rawlog near-miss.rawlog --method 2 --out "
+      "out/near-miss");
   bslnav::CommonOptions options;
   std::string rawlog, map;
   options.addTo(app, "out");

@@ -1,9 +1,9 @@
 // Drives a robot to its goal: in the simulator now; what the configuration describes is what moves.
+#include <bslnav/config/Error.h>
 #include <bslnav/evaluation/RunRecorder.h>
 #include <bslnav/evaluation/SimulationPictures.h>
 #include <bslnav/evaluation/SimulationRun.h>
 
-#include <bslnav/config/Error.h>
 #include <iostream>
 
 #include "CommandLine.h"
@@ -21,7 +21,8 @@ int drive(const bslnav::CommonOptions& options) {
     config.print(std::cout);
     return 0;
   }
-  if (options.configs.empty()) throw Error("bslnav", "no configuration; expected bslnav CONFIG.ini, see --help");
+  if (options.configs.empty())
+    throw Error("bslnav", "no configuration; expected bslnav CONFIG.ini, see --help");
   setup.check();
   const auto map = setup.makeMap();
 
@@ -29,16 +30,18 @@ int drive(const bslnav::CommonOptions& options) {
   if (setup.pictures.recordCandidates) recorder.recordCandidates();
   SimulationPictures pictures(setup, map);
   listenForInterrupts();
-  const RunSummary summary = runSimulation(setup, options.seed, [&](const SimulationMoment& moment) {
-    recorder.write(moment.record, moment.truth.pose);
-    pictures.observe(moment);
-    if (moment.record.index % 10 == 0) showProgress(progressLine(moment.record), options.quiet);
-    return !interrupted();
-  });
+  const RunSummary summary =
+      runSimulation(setup, options.seed, [&](const SimulationMoment& moment) {
+        recorder.write(moment.record, moment.truth.pose);
+        pictures.observe(moment);
+        if (moment.record.index % 10 == 0) showProgress(progressLine(moment.record), options.quiet);
+        return !interrupted();
+      });
   showProgress("", options.quiet);
   recorder.finish(summary);
   const auto paths = pictures.save(summary, recorder.directory());
-  if (!options.quiet) printSummary(std::cout, setup.scenario.name, summary, recorder.directory(), paths);
+  if (!options.quiet)
+    printSummary(std::cout, setup.scenario.name, summary, recorder.directory(), paths);
   return exitCodeOf(summary);
 }
 

@@ -12,7 +12,8 @@
 namespace bslnav {
 namespace {
 
-volatile std::sig_atomic_t interruptFlag = 0;  // set by the signal handler: the one thing it may touch
+volatile std::sig_atomic_t interruptFlag =
+    0;  // set by the signal handler: the one thing it may touch
 
 }  // namespace
 
@@ -20,19 +21,25 @@ void CommonOptions::addTo(CLI::App& app, const std::string& defaultOut) {
   out = defaultOut;
   app.set_version_flag("--version", version());
   app.add_option("CONFIG", configs, "configuration files (INI); later ones override earlier ones");
-  app.add_option("--method", method, "method number: short for config/methods/methodN.ini after the other files");
-  app.add_option("--set", overrides, "section.key=value, overrides the files; may be given several times")
+  app.add_option("--method", method,
+                 "method number: short for config/methods/methodN.ini after the other files");
+  app.add_option("--set", overrides,
+                 "section.key=value, overrides the files; may be given several times")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   app.add_option("--seed", seed, "seed of all randomness")->capture_default_str();
   app.add_option("--out", out, "directory for the results")->capture_default_str();
   app.add_flag("--quiet", quiet, "print errors only");
-  app.add_flag("--print-config", printConfig, "print every section and key with its value, and end");
+  app.add_flag("--print-config", printConfig,
+               "print every section and key with its value, and end");
 }
 
 std::string methodFile(int method) {
-  const std::string file = dataDirectory() + "/config/methods/method" + std::to_string(method) + ".ini";
-  if (!std::filesystem::exists(file)) throw Error("--method " + std::to_string(method), "no such method; expected a number with a file " + file);
+  const std::string file =
+      dataDirectory() + "/config/methods/method" + std::to_string(method) + ".ini";
+  if (!std::filesystem::exists(file))
+    throw Error("--method " + std::to_string(method),
+                "no such method; expected a number with a file " + file);
   return file;
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <bslnav/config/Config.h>
 
+#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -27,19 +27,22 @@ struct CommonOptions {
   void load(Config& config) const;
 };
 
-/** The file of a method's overlay, config/methods/methodN.ini. @throws Error when there is no such method */
+/** The file of a method's overlay, config/methods/methodN.ini. @throws Error when there is no such
+ * method */
 std::string methodFile(int method);
 
-/** Runs an app: parses the command line, prints errors as one line, and returns the process's exit code (0 done, 1 could not
- *  finish, 2 usage or configuration). */
+/** Runs an app: parses the command line, prints errors as one line, and returns the process's exit
+ * code (0 done, 1 could not finish, 2 usage or configuration). */
 int runApp(CLI::App& app, int argc, char** argv, const std::function<int()>& body);
 
 /** Whether SIGINT or SIGTERM came since listenForInterrupts(). */
 bool interrupted();
-/** From now on SIGINT and SIGTERM only set a flag, so that the robot can be stopped and the records kept. */
+/** From now on SIGINT and SIGTERM only set a flag, so that the robot can be stopped and the records
+ * kept. */
 void listenForInterrupts();
 
-/** Shows one line of progress on a terminal; nothing in a pipe or when quiet. An empty line clears it. */
+/** Shows one line of progress on a terminal; nothing in a pipe or when quiet. An empty line clears
+ * it. */
 void showProgress(const std::string& line, bool quiet);
 
 }  // namespace bslnav

@@ -18,11 +18,13 @@ std::string orDash(const char* format, const std::optional<double>& value) {
 
 }  // namespace
 
-void printSummary(std::ostream& out, const std::string& name, const RunSummary& s, const std::string& directory,
-                  const std::vector<std::string>& pictures) {
-  const std::string outcome = s.reason.empty() ? nameOf(s.outcome) : std::string(nameOf(s.outcome)) + " (" + s.reason + ")";
+void printSummary(std::ostream& out, const std::string& name, const RunSummary& s,
+                  const std::string& directory, const std::vector<std::string>& pictures) {
+  const std::string outcome =
+      s.reason.empty() ? nameOf(s.outcome) : std::string(nameOf(s.outcome)) + " (" + s.reason + ")";
   const std::pair<const char*, std::string> rows[] = {
-      {"method", std::to_string(s.method) + " (" + s.methodName + "), seed " + std::to_string(s.seed)},
+      {"method",
+       std::to_string(s.method) + " (" + s.methodName + "), seed " + std::to_string(s.seed)},
       {"outcome", outcome},
       {"time to goal", orDash("%.1f s", s.timeToGoal_s)},
       {"path", text("%.2f m", s.pathLength_m) + text(", mean %.2f m/s", s.meanSpeed_mps) +

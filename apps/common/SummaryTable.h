@@ -9,8 +9,8 @@
 namespace bslnav {
 
 /** A run in one small table, with the files it left. */
-void printSummary(std::ostream& out, const std::string& name, const RunSummary& summary, const std::string& directory,
-                  const std::vector<std::string>& pictures);
+void printSummary(std::ostream& out, const std::string& name, const RunSummary& summary,
+                  const std::string& directory, const std::vector<std::string>& pictures);
 
 /** One line about where a run is. */
 std::string progressLine(const CycleRecord& record);

@@ -4,6 +4,7 @@
 #include <mrpt/system/filesystem.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <ostream>
 #include <stdexcept>
 
@@ -38,6 +39,19 @@ std::string suggestion(const std::string& word, const std::vector<std::string>& 
 
 std::string location(const std::string& file, const std::string& section, const std::string& key) {
   return file + " [" + section + "] " + key;
+}
+
+/** @param lead before what is not a comment already */
+void printSection(const ConfigSection& section, const std::string& lead, std::ostream& out) {
+  out << "; " << section.description() << "\n" << lead << "[" << section.name() << "]\n";
+  for (const auto& field : section.fields()) {
+    out << "; " << field.description << " ("
+        << (field.unit.empty() ? "" : "unit: " + field.unit + "; ")
+        << "default: " << (field.defaultText.empty() ? "empty" : field.defaultText) << "; "
+        << field.expected << ")\n"
+        << lead << field.key << " = " << field.write() << "\n";
+  }
+  out << "\n";
 }
 
 }  // namespace
@@ -90,7 +104,7 @@ void Config::set(const std::string& where, const std::string& sectionName, const
 void Config::loadFile(const std::string& file) {
   if (!mrpt::system::fileExists(file))
     throw Error(file, "no such file; expected a configuration (INI)");
-  if (mrpt::system::directoryExists(file))
+  if (std::filesystem::is_directory(file))
     throw Error(file, "is a directory; expected a configuration (INI)");
   checkIniLines(file);
   try {
@@ -124,16 +138,14 @@ void Config::load(const std::vector<std::string>& files,
 }
 
 void Config::print(std::ostream& out) const {
-  for (const auto& section : sections_) {
-    out << "; " << section.description() << "\n[" << section.name() << "]\n";
-    for (const auto& field : section.fields()) {
-      out << "; " << field.description << " ("
-          << (field.unit.empty() ? "" : "unit: " + field.unit + "; ")
-          << "default: " << (field.defaultText.empty() ? "empty" : field.defaultText) << "; "
-          << field.expected << ")\n"
-          << field.key << " = " << field.write() << "\n";
-    }
-    out << "\n";
+  for (const auto& section : sections_) printSection(section, "", out);
+  for (const auto& repeated : repeated_) {
+    const auto isEntry = [&](const ConfigSection& section) {
+      return section.name().rfind(repeated.kind + ":", 0) == 0;
+    };
+    if (std::any_of(sections_.begin(), sections_.end(), isEntry)) continue;
+    ConfigSection example(repeated.kind + ":NAME", repeated.description);
+    repeated.withDefaults(example, [&] { printSection(example, "; ", out); });
   }
 }
 

@@ -9,9 +9,11 @@ std::string dataDirectory() {
   namespace fs = std::filesystem;
   std::error_code ignored;
   const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
-  for (const fs::path& candidate : {program.parent_path().parent_path() / "share" / "bslnav", fs::path(BSLNAV_SOURCE_DATA_DIR)})
+  for (const fs::path& candidate :
+       {program.parent_path().parent_path() / "share" / "bslnav", fs::path(BSLNAV_SOURCE_DATA_DIR)})
     if (fs::is_directory(candidate / "config" / "methods", ignored)) return candidate.string();
-  throw Error(program.string(), "its data directory (share/bslnav beside it) is missing; install bslnav again");
+  throw Error(program.string(),
+              "its data directory (share/bslnav beside it) is missing; install bslnav again");
 }
 
 }  // namespace bslnav

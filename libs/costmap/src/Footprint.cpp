@@ -26,7 +26,7 @@ void Footprint::describe(ConfigSection& section) {
 void Footprint::check() const {
   if (isCircle()) return;
   if (polygon.size() < 3 || !contains({0.0, 0.0}))
-    Config::refuse("robot", "polygon_m", "at least three corners around the robot's centre (0, 0)");
+    Config::refuse("footprint", "polygon_m", "at least three corners around the robot's centre (0, 0)");
 }
 
 double Footprint::inscribedRadius_m() const {

@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::int16_t kFar =
     16384;  // (kMaxReach + 1)²: no table gets there, and kFar + kMaxReach² still fits
+constexpr int kBlock = 16;  // cells computed at once, in registers
 constexpr double kRounding = 1e-9;
 
 /** First lethal cell in [first, last), or last. */
@@ -17,6 +18,15 @@ int nextLethal(const Cost* cells, int first, int last) {
   const void* found =
       std::memchr(cells + first, kLethalCost, static_cast<std::size_t>(last - first));
   return found ? static_cast<int>(static_cast<const Cost*>(found) - cells) : last;
+}
+
+/** The higher cost, but an unknown cell stays unknown unless it becomes inscribed. */
+void combine(const Cost* base, const Cost* inflated, Cost* out, int count) {
+  for (int x = 0; x < count; ++x) {
+    const Cost higher = base[x] > inflated[x] ? base[x] : inflated[x];
+    const bool replaced = (base[x] == kUnknownCost) & (inflated[x] >= kInscribedCost);
+    out[x] = replaced ? inflated[x] : higher;
+  }
 }
 
 }  // namespace
@@ -42,35 +52,45 @@ InflationLayer::InflationLayer(const InflationParameters& parameters, double ins
     const double graded = kHighestGradedCost * std::exp(-parameters.scaling_per_m * beyond_m);
     costs_.push_back(beyond_m <= kRounding ? kInscribedCost : static_cast<Cost>(graded));
   }
+  costs_.push_back(kFreeCost);
   for (int dx = -reach_; dx <= reach_; ++dx) stamp_.push_back(static_cast<Squared>(dx * dx));
   stamp_.resize((stamp_.size() + 7) / 8 * 8, kFar);  // whole vectors
 }
 
 Cost InflationLayer::costAt(int squaredCells) const {
-  return squaredCells < static_cast<int>(costs_.size())
-             ? costs_[static_cast<std::size_t>(squaredCells)]
-             : kFreeCost;
+  return costs_[std::min(static_cast<std::size_t>(squaredCells), costs_.size() - 1)];
 }
 
 void InflationLayer::apply(const CostGrid& base, const CellWindow& window, CostGrid& out) {
   const CellWindow target = window.intersected(base.bounds());
   if (target.empty()) return;
   const CellWindow source = target.grown(reach_).intersected(base.bounds());
-  stride_ = static_cast<std::size_t>(target.width() + 4 * reach_ + 8);
-  slots_ = source.height();
-  const auto slots = static_cast<std::size_t>(slots_);
-  if (inRow_.size() < slots * stride_) inRow_.resize(slots * stride_);
-  if (occupied_.size() < slots) occupied_.resize(slots);
-  if (far_.size() < stride_) far_.assign(stride_, kFar), nearest_.resize(stride_);
-
+  reserveScratch(target, source.height());
   for (int y = source.y0; y < source.y1; ++y)
     measureRow(base.row(y), source.x0, source.x1, target, y - source.y0);
   for (int y = target.y0; y < target.y1; ++y) {
-    std::memcpy(out.row(y) + target.x0, base.row(y) + target.x0,
-                static_cast<std::size_t>(target.width()));
-    if (measureColumns(y - source.y0))
-      grade(base.row(y) + target.x0, out.row(y) + target.x0, target.width());
+    const Cost* const from = base.row(y) + target.x0;
+    Cost* const to = out.row(y) + target.x0;
+    collectRows(y - source.y0);
+    if (rows_.empty()) {
+      std::memcpy(to, from, static_cast<std::size_t>(target.width()));
+    } else {
+      measureColumns(target.width());
+      lookUpCosts(target.width());
+      combine(from, rowCosts_.data(), to, target.width());
+    }
   }
+}
+
+void InflationLayer::reserveScratch(const CellWindow& target, int slots) {
+  stride_ = static_cast<std::size_t>(target.width() + 4 * reach_ + kBlock);
+  slots_ = slots;
+  const auto rows = static_cast<std::size_t>(slots);
+  if (inRow_.size() < rows * stride_) inRow_.resize(rows * stride_);
+  if (occupied_.size() < rows) occupied_.resize(rows);
+  if (far_.size() < stride_)
+    far_.assign(stride_, kFar), nearest_.resize(stride_), rowCosts_.resize(stride_);
+  rows_.reserve(static_cast<std::size_t>(reach_ + 1));
 }
 
 /** For each cell of the target's columns the squared distance to the nearest lethal cell in its
@@ -103,38 +123,45 @@ const InflationLayer::Squared* InflationLayer::rowOrFar(int slot) const {
          2 * reach_;
 }
 
-/** Fills nearest_ with the least of in-row distance² + dy² over the rows around a slot; false if
- * there is none. */
-bool InflationLayer::measureColumns(int slot) {
+/** Finds the rows around a slot that have lethal cells. */
+void InflationLayer::collectRows(int slot) {
   const Squared* const far = rowOrFar(-1);
-  const Squared* const own = rowOrFar(slot);
-  const int count = static_cast<int>(stride_) - 4 * reach_ - 8;
-  Squared* const nearest = nearest_.data();
-  bool any = own != far;
-  std::memcpy(nearest, own, static_cast<std::size_t>(count) * sizeof(Squared));
-  for (int dy = 1; dy <= reach_; ++dy) {
+  rows_.clear();
+  for (int dy = 0; dy <= reach_; ++dy) {
     const Squared *const below = rowOrFar(slot - dy), *const above = rowOrFar(slot + dy);
-    if (below == far && above == far) continue;
-    any = true;
-    const auto squared = static_cast<Squared>(dy * dy);
-    for (int x = 0; x < count; ++x) {
-      const auto reached = static_cast<Squared>(std::min(below[x], above[x]) + squared);
-      nearest[x] = std::min(nearest[x], reached);
-    }
+    if (below != far || above != far)
+      rows_.push_back({below, above, static_cast<Squared>(dy * dy)});
   }
-  return any;
 }
 
-void InflationLayer::grade(const Cost* base, Cost* out, int count) const {
-  const auto beyond = static_cast<Squared>(costs_.size());
-  const Squared* const nearest = nearest_.data();
-  for (int x = 0; x < count; ++x) {
-    if (nearest[x] >= beyond) continue;
-    const Cost cost = costs_[static_cast<std::size_t>(nearest[x])];
-    if (base[x] == kUnknownCost)
-      out[x] = cost >= kInscribedCost ? cost : kUnknownCost;
+/** Fills nearest_ with the least of in-row distance² + dy² over the collected rows. */
+void InflationLayer::measureColumns(int count) {
+  const auto beyond = static_cast<Squared>(costs_.size() - 1);
+  for (int x = 0; x < count; x += kBlock) {
+    Squared nearest[kBlock];
+    std::fill(nearest, nearest + kBlock, beyond);
+    for (const RowPair& rows : rows_)
+      for (int i = 0; i < kBlock; ++i) {
+        const auto reached =
+            static_cast<Squared>(std::min(rows.below[x + i], rows.above[x + i]) + rows.dySquared);
+        nearest[i] = std::min(nearest[i], reached);
+      }
+    std::copy(nearest, nearest + kBlock, nearest_.data() + x);
+  }
+}
+
+/** Fills rowCosts_ from nearest_. */
+void InflationLayer::lookUpCosts(int count) {
+  const auto beyond = static_cast<Squared>(costs_.size() - 1);
+  for (int x = 0; x < count; x += kBlock) {
+    const Squared* const nearest = nearest_.data() + x;
+    Cost* const costs = rowCosts_.data() + x;
+    Squared least = beyond;
+    for (int i = 0; i < kBlock; ++i) least = std::min(least, nearest[i]);
+    if (least == beyond)
+      std::fill(costs, costs + kBlock, kFreeCost);
     else
-      out[x] = std::max(base[x], cost);
+      for (int i = 0; i < kBlock; ++i) costs[i] = costs_[static_cast<std::size_t>(nearest[i])];
   }
 }
 

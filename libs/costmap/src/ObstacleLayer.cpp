@@ -7,8 +7,8 @@
 namespace bslnav {
 namespace {
 
-constexpr double kOne = 4294967296.0;  // a cell in fixed point with 32 fractional bits
-constexpr int kShift = 32;
+constexpr int kShift = 32;  // fractional bits of fixed point
+constexpr double kOne = 4294967296.0;
 
 /** std::floor without the library call that it needs on SSE2. */
 int floorToCell(double value) {
@@ -16,40 +16,12 @@ int floorToCell(double value) {
   return truncated - (value < truncated ? 1 : 0);
 }
 
-std::int64_t toFixed(double cells) { return static_cast<std::int64_t>(std::floor(cells * kOne)); }
-
-/** A beam as cells: `count` columns from `first` in direction `step`, and in each the row `row >>
- * kShift`. For a beam that runs more along y, rows and columns change roles. */
-struct Line {
-  int first, step, count;
-  std::int64_t row, slope;
-
-  Line(double major0, double minor0, double major1, double minor1) {
-    first = floorToCell(major0);
-    const int last = floorToCell(major1);
-    step = last >= first ? 1 : -1;
-    count = std::abs(last - first);
-    const double gradient = count > 0 ? (minor1 - minor0) / (major1 - major0) : 0.0;
-    row = toFixed(minor0 + (first + 0.5 - major0) * gradient);
-    slope = toFixed(gradient * step);
-  }
-
-  /** Drops what lies outside [0, majorSize) × [0, minorSize); what is left is one piece, since a
-   * line is straight. */
-  void clip(int majorSize, int minorSize) {
-    const std::int64_t limit = static_cast<std::int64_t>(minorSize) << kShift;
-    const auto outside = [&] { return first < 0 || first >= majorSize || row < 0 || row >= limit; };
-    while (count > 0 && outside()) {
-      first += step;
-      row += slope;
-      --count;
-    }
-    count = std::min(count, step > 0 ? majorSize - first : first + 1);
-    const std::int64_t last = row + slope * (count - 1);
-    if (count <= 0 || (last >= 0 && last < limit)) return;
-    count = static_cast<int>((slope > 0 ? (limit - 1 - row) / slope : row / -slope) + 1);
-  }
-};
+/** Likewise. */
+std::int64_t toFixed(double cells) {
+  const double value = cells * kOne;
+  const auto truncated = static_cast<std::int64_t>(value);
+  return truncated - (value < static_cast<double>(truncated) ? 1 : 0);
+}
 
 }  // namespace
 
@@ -63,6 +35,52 @@ void ObstacleParameters::describe(ConfigSection& section) {
   section.flag("clear_footprint", clearFootprint, "whether marks under the robot are cleared");
 }
 
+ObstacleLayer::Line::Line(const Point& from, const Point& to)
+    : alongX(std::abs(to.x - from.x) >= std::abs(to.y - from.y)) {
+  const double major0 = alongX ? from.x : from.y, minor0 = alongX ? from.y : from.x;
+  const double major1 = alongX ? to.x : to.y, minor1 = alongX ? to.y : to.x;
+  first = floorToCell(major0);
+  const int last = floorToCell(major1);
+  step = last >= first ? 1 : -1;
+  count = std::abs(last - first);
+  const double gradient = count > 0 ? (minor1 - minor0) / (major1 - major0) : 0.0;
+  row = toFixed(minor0 + (first + 0.5 - major0) * gradient);
+  slope = toFixed(gradient * step);
+}
+
+/** Drops what lies outside [0, majorSize) × [0, minorSize); what is left is one piece, since a line
+ * is straight. */
+void ObstacleLayer::Line::clip(int majorSize, int minorSize) {
+  const std::int64_t limit = static_cast<std::int64_t>(minorSize) << kShift;
+  while (count > 0 && (first < 0 || first >= majorSize || row < 0 || row >= limit)) skip(1);
+  count = std::min(count, step > 0 ? majorSize - first : first + 1);
+  const std::int64_t last = row + slope * (count - 1);
+  if (count <= 0 || (last >= 0 && last < limit)) return;
+  count = static_cast<int>((slope > 0 ? (limit - 1 - row) / slope : row / -slope) + 1);
+}
+
+void ObstacleLayer::Line::skip(int cells) {
+  first += cells * step;
+  row += cells * slope;
+  count -= cells;
+}
+
+/** How many cells from the start on are also cells of `a` or `b`, lines from the same point on both
+ * sides of this one: as long as their rows differ by less than 1, there is no third row between. */
+int ObstacleLayer::Line::sharedWith(const Line& a, const Line& b) const {
+  const bool between =
+      (a.slope <= slope && slope <= b.slope) || (b.slope <= slope && slope <= a.slope);
+  const auto alike = [this](const Line& o) {
+    return o.alongX == alongX && o.step == step && o.first == first;
+  };
+  if (!between || !alike(a) || !alike(b)) return 0;
+  const auto room = static_cast<double>((std::int64_t{1} << kShift) - std::abs(a.row - b.row));
+  const auto spread = static_cast<double>(std::abs(a.slope - b.slope));
+  const int most = std::min({count, a.count, b.count});
+  if (room >= spread * most) return most;
+  return std::max(0, static_cast<int>(room / spread));
+}
+
 ObstacleLayer::ObstacleLayer(const ObstacleParameters& parameters, const Footprint& footprint,
                              const CostGrid& shape)
     : parameters_(parameters), footprint_(footprint), grid_(shape) {
@@ -73,14 +91,17 @@ CellWindow ObstacleLayer::update(const mrpt::math::TPose2D& mapFromRobot,
                                  const std::vector<PlanarScan>& scans) {
   CellWindow visited;
   marks_.clear();
-  for (const auto& scan : scans) visited = visited.united(clearAlong(mapFromRobot, scan));
+  for (const auto& scan : scans) {
+    visited = visited.united(trace(mapFromRobot, scan));
+    clearAlongLines();
+  }
   for (const auto cell : marks_) grid_.row(0)[cell] = kLethalCost;
   if (parameters_.clearFootprint) visited = visited.united(clearUnder(mapFromRobot));
   return visited.intersected(grid_.bounds());
 }
 
-CellWindow ObstacleLayer::clearAlong(const mrpt::math::TPose2D& mapFromRobot,
-                                     const PlanarScan& scan) {
+/** Fills lines_ and appends to marks_; returns the window of both. */
+CellWindow ObstacleLayer::trace(const mrpt::math::TPose2D& mapFromRobot, const PlanarScan& scan) {
   const double perCell = 1.0 / grid_.getResolution();
   const double c = std::cos(mapFromRobot.phi) * perCell, s = std::sin(mapFromRobot.phi) * perCell;
   const auto& sensor = scan.robotFromSensor();
@@ -88,6 +109,7 @@ CellWindow ObstacleLayer::clearAlong(const mrpt::math::TPose2D& mapFromRobot,
                    (mapFromRobot.y - grid_.getYMin()) * perCell + s * sensor.x + c * sensor.y};
   const CellWindow bounds = grid_.bounds();
   double left = from.x, right = from.x, bottom = from.y, top = from.y;
+  lines_.assign(scan.beam.size(), Line());
   for (std::size_t i = 0; i < scan.beam.size(); ++i) {
     if (scan.beam[i] == PlanarScan::Beam::Dropped) continue;
     const bool hit = scan.beam[i] == PlanarScan::Beam::Hit;
@@ -98,7 +120,7 @@ CellWindow ObstacleLayer::clearAlong(const mrpt::math::TPose2D& mapFromRobot,
     const double cleared_m =
         std::min(hit ? range_m : parameters_.raytraceRange_m, parameters_.raytraceRange_m);
     const Point to{from.x + cleared_m * dx, from.y + cleared_m * dy};
-    clearBeam(from, to);
+    lines_[i] = lineWithin(from, to);
     left = std::min(left, to.x), right = std::max(right, to.x);
     bottom = std::min(bottom, to.y), top = std::max(top, to.y);
     if (!hit || range_m > parameters_.obstacleRange_m) continue;
@@ -110,15 +132,31 @@ CellWindow ObstacleLayer::clearAlong(const mrpt::math::TPose2D& mapFromRobot,
           floorToCell(top) + 2};
 }
 
-void ObstacleLayer::clearBeam(const Point& from, const Point& to) {
+ObstacleLayer::Line ObstacleLayer::lineWithin(const Point& from, const Point& to) const {
+  Line line(from, to);
+  line.clip(line.alongX ? grid_.width() : grid_.height(),
+            line.alongX ? grid_.height() : grid_.width());
+  return line;
+}
+
+/** Near the sensor many beams visit the same cells. As in a binary tree, each beam leaves out what
+ * the two do that are as far away from it as its index has factors of two. */
+void ObstacleLayer::clearAlongLines() {
+  const std::size_t count = lines_.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    Line line = lines_[i];
+    const std::size_t distance = i & (~i + 1);
+    if (i > 0 && i + distance < count)
+      line.skip(line.sharedWith(lines_[i - distance], lines_[i + distance]));
+    clear(line);
+  }
+}
+
+void ObstacleLayer::clear(const Line& line) {
   const std::ptrdiff_t stride = grid_.width();
-  const bool alongX = std::abs(to.x - from.x) >= std::abs(to.y - from.y);
-  Line line = alongX ? Line(from.x, from.y, to.x, to.y) : Line(from.y, from.x, to.y, to.x);
-  line.clip(alongX ? grid_.width() : grid_.height(), alongX ? grid_.height() : grid_.width());
-  if (line.count <= 0) return;
   Cost* const cells = grid_.row(0);
   std::int64_t row = line.row;
-  if (alongX) {
+  if (line.alongX) {
     Cost* column = cells + line.first;
     for (int i = 0; i < line.count; ++i, column += line.step, row += line.slope)
       column[(row >> kShift) * stride] = kFreeCost;

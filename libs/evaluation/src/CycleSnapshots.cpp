@@ -9,20 +9,23 @@ namespace {
 
 using mrpt::math::TPoint2D;
 
-std::vector<TPoint2D> rolloutOf(const Candidate& candidate, const DwaResult& dwa, const CostGrid& costs) {
+std::vector<TPoint2D> rolloutOf(const Candidate& candidate, const DwaResult& dwa,
+                                const CostGrid& costs) {
   std::vector<TPoint2D> points;
-  for (const auto& pose : rolloutPoses(candidate.v_mps, candidate.w_radps, dwa.setup, candidate.steps, costs))
+  for (const auto& pose :
+       rolloutPoses(candidate.v_mps, candidate.w_radps, dwa.setup, candidate.steps, costs))
     points.emplace_back(pose.x, pose.y);
   return points;
 }
 
 /** Every `stride`-th candidate's rollout. */
-std::vector<CandidateLine> candidateLines(const DwaResult& dwa, const CostGrid& costs, std::size_t stride) {
+std::vector<CandidateLine> candidateLines(const DwaResult& dwa, const CostGrid& costs,
+                                          std::size_t stride) {
   std::vector<CandidateLine> lines;
   for (std::size_t i = 0; i < dwa.candidates.size(); i += stride) {
     const Candidate& candidate = dwa.candidates[i];
-    lines.push_back(
-        {rolloutOf(candidate, dwa, costs), candidate.total, candidate.verdict != Candidate::Verdict::Admissible});
+    lines.push_back({rolloutOf(candidate, dwa, costs), candidate.total,
+                     candidate.verdict != Candidate::Verdict::Admissible});
   }
   return lines;
 }
@@ -43,11 +46,13 @@ void CycleSnapshots::add(const CycleRecord& record, const NavigationCycle& cycle
   if (record.motion.planned) picture.candidates(candidateLines(record.dwa, costs, 7), "cost J");
   picture.polyline(record.path, style::kGlobalPath, "global path");
   if (record.motion.planned && record.dwa.best >= 0)
-    picture.polyline(rolloutOf(record.dwa.candidates[static_cast<std::size_t>(record.dwa.best)], record.dwa, costs),
+    picture.polyline(rolloutOf(record.dwa.candidates[static_cast<std::size_t>(record.dwa.best)],
+                               record.dwa, costs),
                      style::kChosen, "chosen");
   for (const auto& zone : record.dangerZones)
     picture.disc(zone.centre, zone.radius_m, style::kDangerZone, "danger zone");
-  for (const auto& person : people) picture.disc(person.position, person.radius_m, style::kPerson, "person");
+  for (const auto& person : people)
+    picture.disc(person.position, person.radius_m, style::kPerson, "person");
   picture.outline(record.mapFromRobot, footprint_, style::kRobot, "robot");
 
   char caption[64];

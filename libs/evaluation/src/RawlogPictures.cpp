@@ -11,20 +11,23 @@ namespace bslnav {
 namespace {
 
 std::string titleOf(const RawlogFindings& findings, const RunSummary& summary) {
-  return std::filesystem::path(findings.log).filename().string() + ", Method " + std::to_string(summary.method);
+  return std::filesystem::path(findings.log).filename().string() + ", Method " +
+         std::to_string(summary.method);
 }
 
 std::string subtitleOf(const RawlogFindings& f, const RunSummary& summary) {
   char text[160];
-  std::snprintf(text, sizeof text, "%.0f s, %.1f m, %ld scans, %.1f blind spots a scan", f.recorded_s, f.recordedPath_m,
-                f.frames, summary.blindSpotsMean);
+  std::snprintf(text, sizeof text, "%.0f s, %.1f m, %ld scans, %.1f blind spots a scan",
+                f.recorded_s, f.recordedPath_m, f.frames, summary.blindSpotsMean);
   return text + (summary.reason.empty() ? std::string() : "; " + summary.reason);
 }
 
-/** The speed that 99 of 100 scans stay below: a single odometry glitch must not take all colour from a path. */
+/** The speed that 99 of 100 scans stay below: a single odometry glitch must not take all colour
+ * from a path. */
 double usualTop(std::vector<double> speeds) {
   if (speeds.empty()) return 0.0;
-  const auto top = speeds.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(speeds.size() - 1));
+  const auto top =
+      speeds.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(speeds.size() - 1));
   std::nth_element(speeds.begin(), top, speeds.end());
   return *top;
 }
@@ -52,7 +55,8 @@ void RawlogPictures::observe(const RawlogMoment& moment) {
   chosen_radps_.push_back(chosenVelocity(record).omega);
   blindSpots_.push_back(static_cast<double>(record.blindSpots.size()));
   positions_.emplace_back(record.mapFromRobot.x, record.mapFromRobot.y);
-  for (const BlindSpot& spot : record.blindSpots) spots_.push_back(record.mapFromRobot.composePoint(spot.position));
+  for (const BlindSpot& spot : record.blindSpots)
+    spots_.push_back(record.mapFromRobot.composePoint(spot.position));
   const int due = setup_.rawlog.snapshots;
   if (snapshotsTaken_ < due && moment.progress >= (snapshotsTaken_ + 0.5) / due) {
     snapshots_.add(record, moment.cycle, {}, bounds_);
@@ -63,10 +67,13 @@ void RawlogPictures::observe(const RawlogMoment& moment) {
 MapPicture RawlogPictures::pathPicture(const RunSummary& summary) const {
   MapPicture picture(titleOf(log_.findings, summary), subtitleOf(log_.findings, summary), bounds_);
   if (log_.map) picture.occupancy(*log_.map);
-  const std::size_t stride = 1 + spots_.size() / 20000;  // enough to see where, few enough to see through
+  const std::size_t stride =
+      1 + spots_.size() / 20000;  // enough to see where, few enough to see through
   for (std::size_t i = 0; i < spots_.size(); i += stride)
-    picture.disc(spots_[i], 0.05, {palette::kOrange, i == 0 ? 0.6 : 0.15, 0.0}, "blind spot (scan jump)");
-  picture.trajectory(positions_, recorded_mps_, std::max(0.1, usualTop(recorded_mps_)), "recorded path");
+    picture.disc(spots_[i], 0.05, {palette::kOrange, i == 0 ? 0.6 : 0.15, 0.0},
+                 "blind spot (scan jump)");
+  picture.trajectory(positions_, recorded_mps_, std::max(0.1, usualTop(recorded_mps_)),
+                     "recorded path");
   if (!positions_.empty()) {
     picture.marker(MarkerKind::Start, positions_.front(), "start");
     picture.marker(MarkerKind::Goal, positions_.back(), "end");
@@ -74,7 +81,8 @@ MapPicture RawlogPictures::pathPicture(const RunSummary& summary) const {
   return picture;
 }
 
-std::vector<std::string> RawlogPictures::save(const RunSummary& summary, const std::string& directory) const {
+std::vector<std::string> RawlogPictures::save(const RunSummary& summary,
+                                              const std::string& directory) const {
   std::vector<std::string> paths{directory + "/path.png", directory + "/comparison.png"};
   pathPicture(summary).save(paths[0]);
 
@@ -88,7 +96,8 @@ std::vector<std::string> RawlogPictures::save(const RunSummary& summary, const s
   chart.series("recorded", time_s_, recorded_radps_, recorded);
   chart.series("the planner's choice", time_s_, chosen_radps_, chosen);
   chart.panel("blind spots a scan");
-  chart.series("scan jumps", time_s_, blindSpots_, {SeriesStyle::Form::Steps, palette::kOrange, 1.5, false});
+  chart.series("scan jumps", time_s_, blindSpots_,
+               {SeriesStyle::Form::Steps, palette::kOrange, 1.5, false});
   chart.save(paths[1]);
 
   if (!snapshots_.empty()) {

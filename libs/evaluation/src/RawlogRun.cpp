@@ -11,8 +11,10 @@ namespace bslnav {
 namespace {
 
 /** The map that the log's own scans give at the localised poses. */
-std::shared_ptr<const mrpt::maps::COccupancyGridMap2D> mapFromLog(const RawlogSetup& setup, const RecordedPath& path) {
-  auto map = std::make_shared<mrpt::maps::COccupancyGridMap2D>(-1.0, 1.0, -1.0, 1.0, setup.rawlog.mapResolution_m);
+std::shared_ptr<const mrpt::maps::COccupancyGridMap2D> mapFromLog(const RawlogSetup& setup,
+                                                                  const RecordedPath& path) {
+  auto map = std::make_shared<mrpt::maps::COccupancyGridMap2D>(-1.0, 1.0, -1.0, 1.0,
+                                                               setup.rawlog.mapResolution_m);
   RawlogReader reader(setup.rawlog.file, setup.rawlog.gap_s);
   for (SensorFrame frame; reader.next(frame);) {
     const mrpt::poses::CPose3D pose(path.poseAt(frame.time_s));
@@ -26,8 +28,10 @@ void takeOver(const RawlogStatistics& statistics, RawlogFindings& findings) {
   findings.frames = static_cast<long>(statistics.frames);
   findings.unusableBeams_percent = statistics.unusableBeams_percent();
   findings.hasOdometry = statistics.hasOdometry;
-  if (statistics.truncated) findings.truncatedAtRecord = static_cast<long>(statistics.truncatedAtRecord);
-  for (const auto& jump : statistics.clockJumps) findings.clockJumpsAtRecords.push_back(static_cast<long>(jump.record));
+  if (statistics.truncated)
+    findings.truncatedAtRecord = static_cast<long>(statistics.truncatedAtRecord);
+  for (const auto& jump : statistics.clockJumps)
+    findings.clockJumpsAtRecords.push_back(static_cast<long>(jump.record));
 }
 
 /** Sums up how the planner's commands differ from what the robot did. */
@@ -55,7 +59,8 @@ std::string warnings(const RawlogFindings& findings) {
   std::string text;
   const auto add = [&text](const std::string& part) { text += (text.empty() ? "" : "; ") + part; };
   if (findings.truncatedAtRecord)
-    add("the log is truncated: evaluated up to record " + std::to_string(*findings.truncatedAtRecord));
+    add("the log is truncated: evaluated up to record " +
+        std::to_string(*findings.truncatedAtRecord));
   if (!findings.hasOdometry) add("the log has no odometry: the robot seems to stand");
   if (!findings.clockJumpsAtRecords.empty())
     add(std::to_string(findings.clockJumpsAtRecords.size()) + " clock jumps, the first at record " +
@@ -81,8 +86,8 @@ LocalizedLog localizeLog(const RawlogSetup& setup, std::uint64_t seed) {
   RawlogReader reader(setup.rawlog.file, setup.rawlog.gap_s);
   std::unique_ptr<Localization> localization;
   if (setup.localization.source == PoseSource::ParticleFilter)
-    localization = std::make_unique<ParticleFilterLocalization>(setup.particleFilter, map, setup.rawlog.initialPose,
-                                                                static_cast<std::uint32_t>(seed));
+    localization = std::make_unique<ParticleFilterLocalization>(
+        setup.particleFilter, map, setup.rawlog.initialPose, static_cast<std::uint32_t>(seed));
   else
     localization = std::make_unique<OdometryLocalization>(setup.rawlog.initialPose);
   watch.Tic();
@@ -94,7 +99,8 @@ LocalizedLog localizeLog(const RawlogSetup& setup, std::uint64_t seed) {
   takeOver(reader.statistics(), findings);
   findings.recorded_s = path.duration_s();
   findings.recordedPath_m = path.length_m();
-  findings.meanSpread_m = localization->spread_m();
+  for (const auto& sample : path.samples())
+    findings.meanSpread_m += sample.spread_m / static_cast<double>(path.samples().size());
   findings.wall_s = watch.Tac();
   return {std::move(path), std::move(map), std::move(findings)};
 }
@@ -126,7 +132,8 @@ RunSummary evaluateLog(const RawlogSetup& setup, const LocalizedLog& log, std::u
                 frame.afterGap ? 0.0 : frame.time_s - last_s);
     last_s = frame.time_s;
     comparison.add(record);
-    if (observer && !observer({record, cycle, frame.time_s / std::max(1e-9, log.findings.recorded_s)})) {
+    if (observer &&
+        !observer({record, cycle, frame.time_s / std::max(1e-9, log.findings.recorded_s)})) {
       summary.outcome = Outcome::Error;
       summary.reason = "interrupted";
       break;
@@ -135,7 +142,7 @@ RunSummary evaluateLog(const RawlogSetup& setup, const LocalizedLog& log, std::u
   metrics.finish(summary);
   comparison.finish(findings);
   findings.wall_s += watch.Tac();
-  summary.duration_s = log.path.duration_s();
+  summary.duration_s = last_s;
   summary.rawlog = std::move(findings);
   return summary;
 }

@@ -1,6 +1,6 @@
 #include <bslnav/config/Error.h>
-#include <bslnav/evaluation/RunRecorder.h>
 #include <bslnav/config/Version.h>
+#include <bslnav/evaluation/RunRecorder.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,9 +17,11 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kCyclesHeader =
     "cycle,time_s,x_m,y_m,heading_rad,true_x_m,true_y_m,true_heading_rad,speed_mps,yaw_rate_radps,"
-    "command_speed_mps,command_yaw_rate_radps,mode,health,reason,beams,dropped_beams,blind_spots,replanned,path_points,"
+    "command_speed_mps,command_yaw_rate_radps,mode,health,reason,beams,dropped_beams,blind_spots,"
+    "replanned,path_points,"
     "candidates_admissible,c_pos_m,c_gol_m,c_dan,c_vel_spm,cost\n";
-constexpr const char* kCandidatesHeader = "cycle,speed_mps,yaw_rate_radps,verdict,c_pos_m,c_gol_m,c_dan,c_vel_spm,cost\n";
+constexpr const char* kCandidatesHeader =
+    "cycle,speed_mps,yaw_rate_radps,verdict,c_pos_m,c_gol_m,c_dan,c_vel_spm,cost\n";
 
 std::string row(const char* format, ...) __attribute__((format(printf, 1, 2)));
 std::string row(const char* format, ...) {
@@ -34,11 +36,12 @@ std::string row(const char* format, ...) {
 std::string chosenCandidate(const CycleRecord& record) {
   if (!record.motion.planned) return ",,,,,";
   int admissible = 0;
-  for (const Candidate& c : record.dwa.candidates) admissible += c.verdict == Candidate::Verdict::Admissible;
+  for (const Candidate& c : record.dwa.candidates)
+    admissible += c.verdict == Candidate::Verdict::Admissible;
   if (record.dwa.best < 0) return row("%d,,,,,", admissible);
   const Candidate& best = record.dwa.candidates[static_cast<std::size_t>(record.dwa.best)];
-  return row("%d,%.4f,%.4f,%.4f,%.4f,%.4f", admissible, best.terms.path, best.terms.goal, best.terms.danger,
-             best.terms.velocity, best.total);
+  return row("%d,%.4f,%.4f,%.4f,%.4f,%.4f", admissible, best.terms.path, best.terms.goal,
+             best.terms.danger, best.terms.velocity, best.total);
 }
 
 Json orNull(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
@@ -64,45 +67,51 @@ Json toJson(const RawlogFindings& f) {
 
 Json toJson(const RunSummary& s) {
   Json json{{"outcome", nameOf(s.outcome)},
-          {"reason", s.reason},
-          {"time_to_goal_s", orNull(s.timeToGoal_s)},
-          {"duration_s", s.duration_s},
-          {"path_length_m", s.pathLength_m},
-          {"mean_speed_mps", s.meanSpeed_mps},
-          {"contact", s.contact},
-          {"at_fault", s.atFault},
-          {"impact_speed_mps", orNull(s.impactSpeed_mps)},
-          {"min_clearance_m", orNull(s.minClearance_m)},
-          {"time_stopped_s", s.timeStopped_s},
-          {"blind_spots_mean", s.blindSpotsMean},
-          {"cycles", s.cycles},
-          {"blocked_cycles", s.blockedCycles},
-          {"unhealthy_cycles", s.unhealthyCycles},
-          {"dropped_beams", s.droppedBeams},
-          {"cycle_ms", toJson(s.cycle_ms)},
-          {"stages_ms",
-           {{"blind_spots", toJson(s.blindSpots_ms)},
-            {"costmap", toJson(s.costmap_ms)},
-            {"global_plan", toJson(s.globalPlan_ms)},
-            {"motion", toJson(s.motion_ms)}}},
-          {"seed", s.seed},
-          {"method", s.method},
-          {"method_name", s.methodName},
-          {"version", version()}};
+            {"reason", s.reason},
+            {"time_to_goal_s", orNull(s.timeToGoal_s)},
+            {"duration_s", s.duration_s},
+            {"path_length_m", s.pathLength_m},
+            {"mean_speed_mps", s.meanSpeed_mps},
+            {"contact", s.contact},
+            {"at_fault", s.atFault},
+            {"impact_speed_mps", orNull(s.impactSpeed_mps)},
+            {"min_clearance_m", orNull(s.minClearance_m)},
+            {"time_stopped_s", s.timeStopped_s},
+            {"blind_spots_mean", s.blindSpotsMean},
+            {"cycles", s.cycles},
+            {"blocked_cycles", s.blockedCycles},
+            {"unhealthy_cycles", s.unhealthyCycles},
+            {"dropped_beams", s.droppedBeams},
+            {"cycle_ms", toJson(s.cycle_ms)},
+            {"stages_ms",
+             {{"blind_spots", toJson(s.blindSpots_ms)},
+              {"costmap", toJson(s.costmap_ms)},
+              {"global_plan", toJson(s.globalPlan_ms)},
+              {"motion", toJson(s.motion_ms)}}},
+            {"seed", s.seed},
+            {"method", s.method},
+            {"method_name", s.methodName},
+            {"version", version()}};
   if (s.rawlog) json["rawlog"] = toJson(*s.rawlog);
   return json;
+}
+
+void close(std::ofstream& file, const std::string& path) {
+  file.close();
+  if (!file) throw Error(path, "not written in full; is the disk full?", Error::Kind::Run);
 }
 
 }  // namespace
 
 void writeFile(const std::string& path, const std::string& text) {
   std::ofstream file(path, std::ios::binary);
-  file << text;
-  file.close();
   if (!file) throw Error(path, "cannot be written", Error::Kind::Run);
+  file << text;
+  close(file, path);
 }
 
-RunRecorder::RunRecorder(const std::string& directory, const Config& config) : directory_(directory) {
+RunRecorder::RunRecorder(const std::string& directory, const Config& config)
+    : directory_(directory) {
   std::error_code problem;
   std::filesystem::create_directories(directory, problem);
   if (problem) throw Error(directory, "cannot be made: " + problem.message(), Error::Kind::Run);
@@ -117,27 +126,31 @@ RunRecorder::RunRecorder(const std::string& directory, const Config& config) : d
 void RunRecorder::recordCandidates() {
   candidates_.open(path("candidates.csv"), std::ios::binary);
   candidates_ << kCandidatesHeader;
+  if (!candidates_) throw Error(path("candidates.csv"), "cannot be written", Error::Kind::Run);
 }
 
 void RunRecorder::write(const CycleRecord& r, const mrpt::math::TPose2D& truePose) {
-  cycles_ << row("%d,%.3f,%.4f,%.4f,%.5f,%.4f,%.4f,%.5f,%.4f,%.5f,%.4f,%.5f,%s,%s,%s,%d,%d,%zu,%d,%zu,", r.index, r.time_s,
-                 r.mapFromRobot.x, r.mapFromRobot.y, r.mapFromRobot.phi, truePose.x, truePose.y, truePose.phi, r.twist.vx,
-                 r.twist.omega, r.motion.command.vx, r.motion.command.omega, nameOf(r.motion.mode), nameOf(r.health),
-                 reasonOf(r).c_str(), r.beams, r.droppedBeams, r.blindSpots.size(), int{r.replanned}, r.path.size())
-          << chosenCandidate(r) << '\n';
+  cycles_
+      << row("%d,%.3f,%.4f,%.4f,%.5f,%.4f,%.4f,%.5f,%.4f,%.5f,%.4f,%.5f,%s,%s,%s,%d,%d,%zu,%d,%zu,",
+             r.index, r.time_s, r.mapFromRobot.x, r.mapFromRobot.y, r.mapFromRobot.phi, truePose.x,
+             truePose.y, truePose.phi, r.twist.vx, r.twist.omega, r.motion.command.vx,
+             r.motion.command.omega, nameOf(r.motion.mode), nameOf(r.health), reasonOf(r).c_str(),
+             r.beams, r.droppedBeams, r.blindSpots.size(), int{r.replanned}, r.path.size())
+      << chosenCandidate(r) << '\n';
   if (!candidates_.is_open() || !r.motion.planned) return;
   static constexpr const char* kVerdicts[] = {"admissible", "obstacle", "unknown", "oscillation"};
   for (const Candidate& c : r.dwa.candidates)
     candidates_ << row("%d,%.4f,%.5f,%s,%.4f,%.4f,%.4f,%.4f,%.4f\n", r.index, c.v_mps, c.w_radps,
-                       kVerdicts[static_cast<int>(c.verdict)], c.terms.path, c.terms.goal, c.terms.danger, c.terms.velocity,
-                       c.total);
+                       kVerdicts[static_cast<int>(c.verdict)], c.terms.path, c.terms.goal,
+                       c.terms.danger, c.terms.velocity, c.total);
 }
 
 void RunRecorder::finish(const RunSummary& summary) {
-  cycles_.close();
-  if (candidates_.is_open()) candidates_.close();
-  if (!cycles_ || !candidates_) throw Error(path("cycles.csv"), "not written in full; is the disk full?", Error::Kind::Run);
-  writeFile(path("summary.json"), toJson(summary).dump(2) + "\n");
+  close(cycles_, path("cycles.csv"));
+  if (candidates_.is_open()) close(candidates_, path("candidates.csv"));
+  // Names from files and configurations may be anything; JSON is UTF-8.
+  writeFile(path("summary.json"),
+            toJson(summary).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace bslnav

@@ -15,7 +15,8 @@ Percentiles percentilesOf(const std::vector<StageTimes>& times, double StageTime
   for (const StageTimes& t : times) values.push_back(1e3 * (t.*stage));
   std::sort(values.begin(), values.end());
   const auto at = [&values](double share) {
-    return values[static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size()))) - 1];
+    return values[static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size()))) -
+                  1];
   };
   return {at(0.5), at(0.99), values.back()};
 }
@@ -27,16 +28,19 @@ const char* nameOf(Outcome outcome) {
   return kNames[static_cast<int>(outcome)];
 }
 
-void Metrics::add(const CycleRecord& record, const mrpt::math::TPoint2D& position, double speed_mps, double period_s) {
-  if (cycles_ > 0) path_m_ += (position - last_).norm();
+void Metrics::add(const CycleRecord& record, const mrpt::math::TPoint2D& position, double speed_mps,
+                  double period_s) {
+  if (cycles_ > 0) {
+    path_m_ += (position - last_).norm();
+    time_s_ += period_s;
+    if (std::abs(speed_mps) < kStopped_mps) stopped_s_ += period_s;
+  }
   last_ = position;
   ++cycles_;
   blocked_ += record.motion.blocked;
   unhealthy_ += record.health != CycleRecord::Health::Ok;
   droppedBeams_ += record.droppedBeams;
   blindSpots_ += static_cast<double>(record.blindSpots.size());
-  moved_s_ += period_s;
-  if (std::abs(speed_mps) < kStopped_mps) stopped_s_ += period_s;
   times_.push_back(record.times);
 }
 
@@ -46,7 +50,7 @@ void Metrics::finish(RunSummary& summary) const {
   summary.unhealthyCycles = unhealthy_;
   summary.droppedBeams = droppedBeams_;
   summary.pathLength_m = path_m_;
-  summary.meanSpeed_mps = moved_s_ > 0.0 ? path_m_ / moved_s_ : 0.0;
+  summary.meanSpeed_mps = time_s_ > 0.0 ? path_m_ / time_s_ : 0.0;
   summary.timeStopped_s = stopped_s_;
   summary.blindSpotsMean = cycles_ > 0 ? blindSpots_ / cycles_ : 0.0;
   summary.cycle_ms = percentilesOf(times_, &StageTimes::total_s);

@@ -9,17 +9,21 @@ namespace {
 
 constexpr double kMoving_mps = 0.05;  // a robot faster than this at contact is at fault
 
-std::unique_ptr<Localization> makeLocalization(const SimulationSetup& setup,
-                                               const std::shared_ptr<const mrpt::maps::COccupancyGridMap2D>& map,
-                                               std::uint64_t seed) {
+std::unique_ptr<Localization> makeLocalization(
+    const SimulationSetup& setup, const std::shared_ptr<const mrpt::maps::COccupancyGridMap2D>& map,
+    std::uint64_t seed) {
   switch (setup.localization.source) {
-    case PoseSource::Truth: return nullptr;
-    case PoseSource::Odometry: return std::make_unique<OdometryLocalization>(setup.scenario.start);
-    case PoseSource::ParticleFilter: break;
+    case PoseSource::Truth:
+      return nullptr;
+    case PoseSource::Odometry:
+      return std::make_unique<OdometryLocalization>(setup.scenario.start);
+    case PoseSource::ParticleFilter:
+      break;
   }
-  if (!map) Config::refuse("localization", "source", "truth or odometry when [scenario] map is none");
-  return std::make_unique<ParticleFilterLocalization>(setup.particleFilter, map, setup.scenario.start,
-                                                      static_cast<std::uint32_t>(seed));
+  if (!map)
+    Config::refuse("localization", "source", "truth or odometry when [scenario] map is none");
+  return std::make_unique<ParticleFilterLocalization>(
+      setup.particleFilter, map, setup.scenario.start, static_cast<std::uint32_t>(seed));
 }
 
 /** What the robot's sensors deliver now. */
@@ -35,10 +39,12 @@ void sense(Simulator& simulator, Localization* localization, SensorFrame& frame)
 }
 
 /** Whether the run is over, and how. */
-bool isOver(const CycleRecord& record, const SimulationState& truth, const SimulationSetup& setup, RunSummary& summary) {
+bool isOver(const CycleRecord& record, const SimulationState& truth, const SimulationSetup& setup,
+            RunSummary& summary) {
   if (truth.contact != SimulationState::Contact::Nothing) {
     summary.outcome = Outcome::Contact;
-    summary.reason = truth.contact == SimulationState::Contact::Person ? "contact with a person" : "contact with the world";
+    summary.reason = truth.contact == SimulationState::Contact::Person ? "contact with a person"
+                                                                       : "contact with the world";
     summary.contact = true;
     summary.impactSpeed_mps = truth.speedAtContact_mps;
     summary.atFault = truth.speedAtContact_mps > kMoving_mps;
@@ -60,17 +66,21 @@ bool isOver(const CycleRecord& record, const SimulationState& truth, const Simul
 /** Commands the robot to a standstill, within its limits. */
 void stopRobot(Simulator& simulator, const NavigationParameters& navigation) {
   const double period_s = navigation.cycle.period_s;
-  for (int i = 0; i < 100 && std::hypot(simulator.state().twist.vx, simulator.state().twist.omega) > 1e-3; ++i)
+  for (int i = 0;
+       i < 100 && std::hypot(simulator.state().twist.vx, simulator.state().twist.omega) > 1e-3; ++i)
     simulator.step(brake(simulator.state().twist, navigation.limits, period_s), period_s);
 }
 
 }  // namespace
 
-RunSummary runSimulation(const SimulationSetup& setup, std::uint64_t seed, const SimulationObserver& observer) {
+RunSummary runSimulation(const SimulationSetup& setup, std::uint64_t seed,
+                         const SimulationObserver& observer) {
   setup.check();
   const auto map = setup.makeMap();
-  const RobotOutline outline{setup.navigation.footprint.polygon, setup.navigation.footprint.radius_m};
-  Simulator simulator(setup.world, setup.robot, setup.lasers, setup.scenario.start, outline, seed);
+  const RobotOutline outline{setup.navigation.footprint.polygon,
+                             setup.navigation.footprint.radius_m};
+  Simulator simulator(setup.world, setup.simulatedRobot, setup.lasers, setup.scenario.start,
+                      outline, seed);
   const auto localization = makeLocalization(setup, map, seed);
   NavigationCycle cycle(setup.navigation, map);
   cycle.setGoals(setup.scenario.goals);
@@ -81,18 +91,24 @@ RunSummary runSimulation(const SimulationSetup& setup, std::uint64_t seed, const
   summary.methodName = setup.navigation.method.name;
   Metrics metrics;
   const double period_s = setup.navigation.cycle.period_s;
-  for (SensorFrame frame;;) {
-    sense(simulator, localization.get(), frame);
-    const CycleRecord& record = cycle.step(frame);
-    const SimulationState& truth = simulator.state();
-    metrics.add(record, {truth.pose.x, truth.pose.y}, truth.twist.vx, period_s);
-    const bool interrupted = observer && !observer({record, truth, cycle});
-    if (interrupted) summary.reason = "interrupted";
-    if (interrupted || isOver(record, truth, setup, summary)) break;
-    simulator.step(record.motion.command, period_s);
+  try {
+    for (SensorFrame frame;;) {
+      sense(simulator, localization.get(), frame);
+      const CycleRecord& record = cycle.step(frame);
+      const SimulationState& truth = simulator.state();
+      metrics.add(record, {truth.pose.x, truth.pose.y}, truth.twist.vx, period_s);
+      const bool interrupted = observer && !observer({record, truth, cycle});
+      if (interrupted) summary.reason = "interrupted";
+      if (interrupted || isOver(record, truth, setup, summary)) break;
+      simulator.step(record.motion.command, period_s);
+    }
+  } catch (const std::exception& problem) {
+    summary.outcome = Outcome::Error;
+    summary.reason = problem.what();
   }
   summary.duration_s = simulator.state().time_s;
-  if (!simulator.state().people.empty()) summary.minClearance_m = simulator.state().minClearanceToPeople_m;
+  if (!simulator.state().people.empty())
+    summary.minClearance_m = simulator.state().minClearanceToPeople_m;
   metrics.finish(summary);
   stopRobot(simulator, setup.navigation);
   return summary;

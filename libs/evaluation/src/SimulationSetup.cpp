@@ -4,9 +4,22 @@
 #include <bslnav/simulation/StaticMap.h>
 #include <mrpt/random/RandomGenerators.h>
 
-#include <cmath>
+#include <filesystem>
 
 namespace bslnav {
+namespace {
+
+/** A map file as given, else in the project's data directory: scenarios work from any directory. */
+std::string findMap(const std::string& file) {
+  const std::string shipped = dataDirectory() + "/" + file;
+  return !std::filesystem::exists(file) && std::filesystem::exists(shipped) ? shipped : file;
+}
+
+}  // namespace
+
+void RobotParameters::describe(ConfigSection& section) {
+  section.choice("type", type, {{"simulated", RobotType::Simulated}}, "what moves");
+}
 
 void LocalizationParameters::describe(ConfigSection& section) {
   section.choice("source", source,
@@ -20,7 +33,8 @@ void ScenarioParameters::describe(ConfigSection& section) {
   section.text("name", name, "name in pictures and tables");
   section.pose("start", start, "where the robot starts");
   section.poses("goals", goals, "the goal, after any waypoints");
-  section.number("time_limit_s", timeLimit_s, kPositive, "s", "the run ends as a timeout after this");
+  section.number("time_limit_s", timeLimit_s, kPositive, "s",
+                 "the run ends as a timeout after this");
   section.text("map", map, "'world' (a survey of the simulated world), 'none', or a map file");
   section.number("trigger_variation_m", triggerVariation_m, kNonNegative, "m",
                  "over seeds, trigger lines are shifted along x by up to this");
@@ -30,20 +44,26 @@ void ScenarioParameters::describe(ConfigSection& section) {
 
 void PictureParameters::describe(ConfigSection& section) {
   section.numbers("snapshots_s", snapshots_s, kNonNegative, "s", "times of the cost map snapshots");
-  section.flag("record_candidates", recordCandidates, "whether to write candidates.csv: every candidate of every cycle");
+  section.flag("record_candidates", recordCandidates,
+               "whether to write candidates.csv: every candidate of every cycle");
 }
 
 void SimulationSetup::bind(Config& config) {
   config.bind("scenario", "From where to where.", scenario);
   navigation.bind(config);
   config.bind("localization", "Where the robot is.", localization);
-  config.bind("particle_filter", "MRPT's particle filter, when [localization] source is particle_filter.", particleFilter);
-  config.bind("simulated_robot", "The simulated base.", robot);
+  config.bind("particle_filter",
+              "MRPT's particle filter, when [localization] source is particle_filter.",
+              particleFilter);
+  config.bind("robot", "The robot.", robot);
+  config.bind("simulated_robot", "The simulated base.", simulatedRobot);
   config.bindRepeated("laser", "A laser range finder on the robot.", lasers);
   config.bindRepeated("wall", "A wall along a polyline.", world.walls);
   config.bindRepeated("box", "A box, or with z_min_m a table top or an overhang.", world.boxes);
   config.bindRepeated("cylinder", "A pole or a pillar.", world.cylinders);
-  config.bindRepeated("pedestrian", "A person who walks along a path when the robot crosses a line.", world.pedestrians);
+  config.bindRepeated("pedestrian",
+                      "A person who walks along a path when the robot crosses a line.",
+                      world.pedestrians);
   config.bind("pictures", "What is drawn and recorded besides the standard files.", pictures);
 }
 
@@ -60,12 +80,14 @@ std::shared_ptr<const mrpt::maps::COccupancyGridMap2D> SimulationSetup::makeMap(
   if (scenario.map == "world")
     map = staticMap(world, navigation.costmap.resolution_m, lasers.begin()->second.z_m, 1.0);
   else
-    map = loadMap(scenario.map);
+    map = loadMap(findMap(scenario.map));
   for (const auto& goal : scenario.goals)
-    if (goal.x < map->getXMin() || goal.x > map->getXMax() || goal.y < map->getYMin() || goal.y > map->getYMax())
-      Config::refuse("scenario", "goals", "goals within the map, x " + std::to_string(map->getXMin()) + " to " +
-                                              std::to_string(map->getXMax()) + ", y " + std::to_string(map->getYMin()) +
-                                              " to " + std::to_string(map->getYMax()) + " [m]");
+    if (goal.x < map->getXMin() || goal.x > map->getXMax() || goal.y < map->getYMin() ||
+        goal.y > map->getYMax())
+      Config::refuse("scenario", "goals",
+                     "goals within the map, x " + std::to_string(map->getXMin()) + " to " +
+                         std::to_string(map->getXMax()) + ", y " + std::to_string(map->getYMin()) +
+                         " to " + std::to_string(map->getYMax()) + " [m]");
   return map;
 }
 

@@ -9,10 +9,14 @@ const char* nameOf(CycleRecord::Health health) {
 
 std::string reasonOf(const CycleRecord& record) {
   switch (record.health) {
-    case CycleRecord::Health::NoBeams: return "no usable beam in the scan";
-    case CycleRecord::Health::StaleScan: return "the laser scan is stale";
-    case CycleRecord::Health::BadPose: return "the pose is not a number";
-    case CycleRecord::Health::Ok: break;
+    case CycleRecord::Health::NoBeams:
+      return "no usable beam in the scan";
+    case CycleRecord::Health::StaleScan:
+      return "the laser scan is stale";
+    case CycleRecord::Health::BadPose:
+      return "the pose is not a number";
+    case CycleRecord::Health::Ok:
+      break;
   }
   if (record.motion.mode == MotionMode::Arrived) return "";
   if (record.pathStatus != PathResult::Status::Found) return describe(record.pathStatus);

@@ -51,7 +51,8 @@ Motion MotionPlanner::step(const Input& input, const CostGrid& costs) {
   const TPoint2D robot{input.mapFromRobot.x, input.mapFromRobot.y};
   const TPoint2D goal =
       input.path.empty() ? TPoint2D{input.goal.x, input.goal.y} : input.path.back();
-  const bool near = input.lastLeg && (goal - robot).norm() <= parameters_.goalTolerance_m;
+  const bool stops = input.passWithin_m == 0.0;
+  const bool near = stops && (goal - robot).norm() <= parameters_.goalTolerance_m;
   if (atGoal_ || near) return arrive(input, costs);
 
   recoveryStep_ = recovery_.update(input.time_s, input.mapFromRobot, blocked_, stepDone_);
@@ -115,9 +116,11 @@ Motion MotionPlanner::follow(const Input& input, const CostGrid& costs) {
     if (!motion.blocked) return motion;
     turning_ = false;
   }
-  const bool last = input.lastLeg && (localGoal - input.path.back()).norm() < 1e-9;
+  const bool stops = input.passWithin_m == 0.0;
+  const bool atEnd = (localGoal - input.path.back()).norm() < 1e-9;
+  const double tolerance_m = stops ? parameters_.goalTolerance_m : input.passWithin_m;
   dwa_ = &planner_.plan({input.mapFromRobot, input.twist, input.path, localGoal,
-                         last ? parameters_.goalTolerance_m : 0.0},
+                         atEnd ? tolerance_m : 0.0, atEnd && stops},
                         costs);
   motion.mode = MotionMode::Follow;
   motion.planned = true;

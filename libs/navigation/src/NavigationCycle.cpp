@@ -17,6 +17,14 @@ double seconds(mrpt::system::CTicTac& watch) {
   return elapsed;
 }
 
+bool isFinite(const mrpt::math::TPose2D& p) {
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.phi);
+}
+
+bool isFinite(const mrpt::math::TTwist2D& t) {
+  return std::isfinite(t.vx) && std::isfinite(t.vy) && std::isfinite(t.omega);
+}
+
 }  // namespace
 
 NavigationCycle::NavigationCycle(const NavigationParameters& parameters,
@@ -25,11 +33,12 @@ NavigationCycle::NavigationCycle(const NavigationParameters& parameters,
       local_(parameters.costmap, parameters.footprint, map, Extent::Rolling),
       scanJumps_(parameters.scanJumps),
       globalPlanner_(parameters.globalPlanner),
-      motionPlanner_(parameters.motion, parameters.recovery, parameters.dwa, parameters.limits,
-                     FootprintCover(parameters.footprint, parameters.costmap.resolution_m,
-                                    InflationLayer(parameters.costmap.inflation, local_.inscribedRadius_m(),
-                                                   parameters.costmap.resolution_m)),
-                     parameters.cycle.period_s) {
+      motionPlanner_(
+          parameters.motion, parameters.recovery, parameters.dwa, parameters.limits,
+          FootprintCover(parameters.footprint, parameters.costmap.resolution_m,
+                         InflationLayer(parameters.costmap.inflation, local_.inscribedRadius_m(),
+                                        parameters.costmap.resolution_m)),
+          parameters.cycle.period_s) {
   if (map) global_.emplace(parameters.costmap, parameters.footprint, map, Extent::WholeMap);
   record_.index = -1;
 }
@@ -48,15 +57,16 @@ const CycleRecord& NavigationCycle::step(const SensorFrame& frame) {
   ++record_.index;
   record_.health = takeOver(frame);
   record_.times = {};
+  // Without a measured velocity the robot is taken to do as it was told.
+  const auto stop = brake(isFinite(record_.twist) ? record_.twist : record_.motion.command,
+                          parameters_.limits, parameters_.cycle.period_s);
   record_.motion = {};
+  record_.motion.command = stop;
   record_.replanned = false;
   if (record_.health != CycleRecord::Health::Ok) {
-    record_.motion.command = brake(lastTwist_, parameters_.limits, parameters_.cycle.period_s);
-    lastTwist_ = record_.motion.command;
     record_.times.total_s = whole.Tac();
     return record_;
   }
-  lastTwist_ = record_.twist;
   findBlindSpots();
   record_.times.blindSpots_s = seconds(stage);
 
@@ -64,19 +74,20 @@ const CycleRecord& NavigationCycle::step(const SensorFrame& frame) {
   record_.times.costmap_s = seconds(stage);
 
   if (goals_.empty()) {
-    record_.motion.command = brake(frame.twist, parameters_.limits, parameters_.cycle.period_s);
+    record_.path.clear();
+    record_.pathStatus = PathResult::Status::Found;
     record_.times.total_s = whole.Tac();
     return record_;
   }
   advanceWaypoint();
-  if (goalsChanged_ || motionPlanner_.wantsReplan() ||
-      record_.time_s - plannedAt_s_ >= parameters_.cycle.replanPeriod_s - 1e-6)
-    planPath();
+  if (needsPath()) planPath();
   record_.times.globalPlan_s = seconds(stage);
 
-  record_.motion = motionPlanner_.step({record_.time_s, record_.mapFromRobot, record_.twist, record_.path,
-                                        goals_.back(), nextGoal_ + 1 == goals_.size()},
-                                       local_.costs());
+  const bool waypoint = pathCutShort_ || nextGoal_ + 1 < goals_.size();
+  record_.motion = motionPlanner_.step(
+      {record_.time_s, record_.mapFromRobot, record_.twist, record_.path, goals_[nextGoal_],
+       waypoint ? parameters_.cycle.waypointTolerance_m : 0.0},
+      local_.costs());
   if (record_.motion.planned) record_.dwa = motionPlanner_.dwa();
   record_.times.motion_s = seconds(stage);
   record_.times.total_s = whole.Tac();
@@ -88,20 +99,33 @@ CycleRecord::Health NavigationCycle::takeOver(const SensorFrame& frame) {
   record_.mapFromRobot = frame.mapFromRobot;
   record_.twist = frame.twist;
   record_.beams = record_.droppedBeams = 0;
-  scans_.resize(frame.scans.size());
+  resizeScans(frame.scans.size());
+  bool blind = false;
   for (std::size_t i = 0; i < scans_.size(); ++i) {
-    scans_[i].assign(*frame.scans[i]);
+    scans_[i].assign(*frame.scans[i], parameters_.cycle.sensorMaxRange_m);
     record_.beams += scans_[i].size();
     record_.droppedBeams += scans_[i].dropped();
-    newestScan_s_ = std::max(newestScan_s_, mrpt::Clock::toDouble(frame.scans[i]->timestamp) - frame.startTime_s);
+    if (scans_[i].dropped() == scans_[i].size()) {
+      blind = true;
+      continue;
+    }
+    const double stamp_s = mrpt::Clock::toDouble(frame.scans[i]->timestamp) - frame.startTime_s;
+    newestScan_s_ = std::max(
+        newestScan_s_, std::min(stamp_s, frame.time_s));  // a stamp ahead must not stay the newest
   }
-  for (const double value : {frame.mapFromRobot.x, frame.mapFromRobot.y, frame.mapFromRobot.phi, frame.twist.vx,
-                             frame.twist.omega})
-    if (!std::isfinite(value)) return CycleRecord::Health::BadPose;
+  if (!isFinite(frame.mapFromRobot) || !isFinite(frame.twist)) return CycleRecord::Health::BadPose;
+  if (blind) return CycleRecord::Health::NoBeams;
   // Between two scans of a slow sensor the robot goes on with what it knows, until that is stale.
-  if (frame.time_s - newestScan_s_ > parameters_.cycle.sensorMaxAge_s) return CycleRecord::Health::StaleScan;
-  if (record_.beams > 0 && record_.beams == record_.droppedBeams) return CycleRecord::Health::NoBeams;
+  if (frame.time_s - newestScan_s_ > parameters_.cycle.sensorMaxAge_s)
+    return CycleRecord::Health::StaleScan;
   return CycleRecord::Health::Ok;
+}
+
+void NavigationCycle::resizeScans(std::size_t count) {
+  for (; scans_.size() > count; scans_.pop_back()) spareScans_.push_back(std::move(scans_.back()));
+  for (; scans_.size() < count && !spareScans_.empty(); spareScans_.pop_back())
+    scans_.push_back(std::move(spareScans_.back()));
+  scans_.resize(count);
 }
 
 void NavigationCycle::findBlindSpots() {
@@ -114,12 +138,28 @@ void NavigationCycle::findBlindSpots() {
 }
 
 void NavigationCycle::advanceWaypoint() {
-  const auto& pose = record_.mapFromRobot;
-  while (nextGoal_ + 1 < goals_.size() &&
-         std::hypot(goals_[nextGoal_].x - pose.x, goals_[nextGoal_].y - pose.y) <= parameters_.cycle.waypointTolerance_m) {
-    ++nextGoal_;
+  const auto isNear = [this](double x, double y) {
+    const auto& pose = record_.mapFromRobot;
+    return std::hypot(x - pose.x, y - pose.y) <= parameters_.cycle.waypointTolerance_m;
+  };
+  // A waypoint in an obstacle is passed where the path ends: as near to it as one gets.
+  bool passed = !goalsChanged_ && !pathCutShort_ && !record_.path.empty() &&
+                isNear(record_.path.back().x, record_.path.back().y);
+  for (; nextGoal_ + 1 < goals_.size() &&
+         (passed || isNear(goals_[nextGoal_].x, goals_[nextGoal_].y));
+       ++nextGoal_) {
     goalsChanged_ = true;
+    passed = false;
   }
+}
+
+bool NavigationCycle::needsPath() const {
+  const auto& pose = record_.mapFromRobot;
+  const bool atCut = pathCutShort_ && !record_.path.empty() &&
+                     std::hypot(record_.path.back().x - pose.x, record_.path.back().y - pose.y) <
+                         parameters_.motion.lookahead_m;
+  return goalsChanged_ || atCut || motionPlanner_.wantsReplan() ||
+         record_.time_s - plannedAt_s_ >= parameters_.cycle.replanPeriod_s - 1e-6;
 }
 
 void NavigationCycle::planPath() {
@@ -128,17 +168,12 @@ void NavigationCycle::planPath() {
   record_.replanned = true;
   goalsChanged_ = false;
   plannedAt_s_ = record_.time_s;
-  TPoint2D from{record_.mapFromRobot.x, record_.mapFromRobot.y};
-  for (std::size_t i = nextGoal_; i < goals_.size(); ++i) {
-    const PathResult leg = globalPlanner_.plan(planningCosts(), from, withinGlobalMap({goals_[i].x, goals_[i].y}));
-    record_.pathStatus = leg.status;
-    if (leg.status != PathResult::Status::Found) {
-      record_.path.clear();
-      return;
-    }
-    record_.path.insert(record_.path.end(), leg.points.begin(), leg.points.end());
-    from = record_.path.back();
-  }
+  const TPoint2D goal{goals_[nextGoal_].x, goals_[nextGoal_].y}, reachable = withinGlobalMap(goal);
+  pathCutShort_ = (reachable - goal).norm() > 0.0;
+  const PathResult path = globalPlanner_.plan(
+      planningCosts(), {record_.mapFromRobot.x, record_.mapFromRobot.y}, reachable);
+  record_.pathStatus = path.status;
+  record_.path.assign(path.points.begin(), path.points.end());
 }
 
 TPoint2D NavigationCycle::withinGlobalMap(const TPoint2D& goal) const {

@@ -8,15 +8,22 @@ void MethodParameters::describe(ConfigSection& section) {
 }
 
 void BlindSpotParameters::describe(ConfigSection& section) {
-  section.choice("source", source, {{"none", BlindSpotSource::None}, {"scan_jumps", BlindSpotSource::ScanJumps}},
-                 "where blind spots come from: none (Method 1), jumps between laser beams (Method 2)");
+  section.choice(
+      "source", source,
+      {{"none", BlindSpotSource::None}, {"scan_jumps", BlindSpotSource::ScanJumps}},
+      "where blind spots come from: none (Method 1), jumps between laser beams (Method 2)");
 }
 
 void CycleParameters::describe(ConfigSection& section) {
   section.number("period_s", period_s, {0.01, 1.0}, "s", "control period");
-  section.number("replan_period_s", replanPeriod_s, {0.01, 60.0}, "s", "a new global path at least this often");
-  section.number("waypoint_tolerance_m", waypointTolerance_m, kPositive, "m", "this near, a waypoint is passed");
-  section.number("sensor_max_age_s", sensorMaxAge_s, kPositive, "s", "an older scan is stale: the robot stops");
+  section.number("replan_period_s", replanPeriod_s, {0.01, 60.0}, "s",
+                 "a new global path at least this often");
+  section.number("waypoint_tolerance_m", waypointTolerance_m, kPositive, "m",
+                 "this near, a waypoint is passed");
+  section.number("sensor_max_range_m", sensorMaxRange_m, kNonNegative, "m",
+                 "ranges from here on mean that nothing was seen; 0 takes each scan's own maximum");
+  section.number("sensor_max_age_s", sensorMaxAge_s, kPositive, "s",
+                 "an older scan is stale: the robot stops");
 }
 
 void NavigationParameters::bind(Config& config) {
@@ -25,10 +32,12 @@ void NavigationParameters::bind(Config& config) {
   config.bind("limits", "What the robot's base can do.", limits);
   config.bind("costmap", "The layered cost map.", costmap);
   config.bind("blind_spots", "Where could a person be hidden?", blindSpots);
-  config.bind("scan_jumps", "Blind spots from jumps between neighbouring laser beams (paper IV).", scanJumps);
+  config.bind("scan_jumps", "Blind spots from jumps between neighbouring laser beams (paper IV).",
+              scanJumps);
   config.bind("danger_zone", "The cost around a blind spot (paper IV-B, table I).", dangerZone);
   config.bind("global_planner", "A* on static, obstacle and inflation costs.", globalPlanner);
-  config.bind("dwa", "Dynamic window approach with the paper's cost function (eq. 11, table I).", dwa);
+  config.bind("dwa", "Dynamic window approach with the paper's cost function (eq. 11, table I).",
+              dwa);
   config.bind("motion", "Along the path and at the goal.", motion);
   config.bind("recovery", "What to do when the planner cannot go on.", recovery);
   config.bind("cycle", "The control cycle.", cycle);
@@ -37,8 +46,10 @@ void NavigationParameters::bind(Config& config) {
 void NavigationParameters::check() const {
   footprint.check();
   costmap.check();
-  if (cycle.replanPeriod_s < cycle.period_s) Config::refuse("cycle", "replan_period_s", "at least [cycle] period_s");
-  if (dwa.horizon_s < cycle.period_s) Config::refuse("dwa", "horizon_s", "at least [cycle] period_s");
+  if (cycle.replanPeriod_s < cycle.period_s)
+    Config::refuse("cycle", "replan_period_s", "at least [cycle] period_s");
+  if (dwa.horizon_s < cycle.period_s)
+    Config::refuse("dwa", "horizon_s", "at least [cycle] period_s");
 }
 
 }  // namespace bslnav

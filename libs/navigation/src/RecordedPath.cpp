@@ -39,7 +39,7 @@ TPose2D RecordedPath::poseAt(double time_s) const {
 RecordedPath recordPath(RawlogReader& log, Localization& localization) {
   std::vector<RecordedPath::Sample> samples;
   for (SensorFrame frame; log.next(frame);)
-    samples.push_back({frame.time_s, localization.update(frame)});
+    samples.push_back({frame.time_s, localization.update(frame), localization.spread_m()});
   return RecordedPath(std::move(samples));
 }
 

@@ -30,7 +30,8 @@ Picture tiled(const std::vector<PictureTile>& tiles, int columns, const std::str
     page.text({x + width / 2.0, y + 20.0}, tile.caption, captionStyle, TextAlign::Centre);
     page.paste(tile.picture, x + (width - tile.picture.width) / 2, y + kCaptionHeight);
   }
-  if (footer.height > 0) page.paste(footer, (pageWidth - footer.width) / 2, top + rows * cellHeight);
+  if (footer.height > 0)
+    page.paste(footer, (pageWidth - footer.width) / 2, top + rows * cellHeight);
   return page.finished();
 }
 

@@ -65,7 +65,7 @@ const DwaResult& DwaPlanner::plan(const DwaInput& input, const CostGrid& costs) 
                    input.goalTolerance_m};
   // Rollouts need not overshoot the goal, and the robot does not creep towards it.
   double cap = limits_.maxSpeed_mps;
-  if (input.goalTolerance_m > 0.0)
+  if (input.goalTolerance_m > 0.0 && input.stopsAtGoal)
     cap = stoppingSpeed((input.goal - robot).norm(), limits_.deceleration_mps2, controlPeriod_s_);
   const DynamicWindow window = dynamicWindow(input.twist, limits_, parameters_.window_s, cap);
 

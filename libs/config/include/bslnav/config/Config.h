@@ -32,10 +32,15 @@ class Config {
   template <typename Parameters>
   void bindRepeated(const std::string& kind, const std::string& description,
                     std::map<std::string, Parameters>& entries) {
-    repeated_.push_back(
-        {kind, description, [&entries](const std::string& name, ConfigSection& section) {
-           entries[name].describe(section);
-         }});
+    repeated_.push_back({kind, description,
+                         [&entries](const std::string& name, ConfigSection& section) {
+                           entries[name].describe(section);
+                         },
+                         [](ConfigSection& section, const std::function<void()>& use) {
+                           Parameters defaults;
+                           defaults.describe(section);
+                           use();
+                         }});
   }
 
   /** Loads files in order, later ones override earlier ones, then "section.key=value" overrides.
@@ -44,7 +49,7 @@ class Config {
   void load(const std::vector<std::string>& files, const std::vector<std::string>& overrides = {});
 
   /** Writes every section and key with description, unit, default and accepted values; the output
-   * can be loaded again. */
+   * can be loaded again. Repeated sections without an entry are shown as comments. */
   void print(std::ostream& out) const;
 
   /** Checks of more than one key: called by the parameters' owner; throws Error naming section and
@@ -56,6 +61,8 @@ class Config {
   struct Repeated {
     std::string kind, description;
     std::function<void(const std::string&, ConfigSection&)> describe;
+    /** Binds a section to default values that live during `use`. */
+    std::function<void(ConfigSection&, const std::function<void()>& use)> withDefaults;
   };
 
   ConfigSection& addSection(const std::string& name, const std::string& description);

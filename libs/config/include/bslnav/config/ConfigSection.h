@@ -22,23 +22,28 @@ inline constexpr Range kNonNegative{0.0, std::numeric_limits<double>::max()};
 
 /** One INI section: the description of its keys, bound to the variables that they set.
  *
- * A parameter struct describes itself once, in `describe(ConfigSection&)`; that one description loads, checks, prints and
- * saves it. The bound variables must outlive the section. Values that a variable has when it is described are the defaults.
+ * A parameter struct describes itself once, in `describe(ConfigSection&)`; that one description
+ * loads, checks, prints and saves it. The bound variables must outlive the section. Values that a
+ * variable has when it is described are the defaults.
  */
 class ConfigSection {
  public:
   struct Field {
     std::string key, unit, expected, defaultText, description;
-    std::function<std::string()> write;             ///< the value as INI text
-    std::function<void(const std::string&)> read;   ///< throws std::invalid_argument on text it cannot take
+    std::function<std::string()> write;  ///< the value as INI text
+    std::function<void(const std::string&)>
+        read;  ///< throws std::invalid_argument on text it cannot take
   };
 
   ConfigSection(std::string name, std::string description)
       : name_(std::move(name)), description_(std::move(description)) {}
 
-  void number(const std::string& key, double& value, Range range, const std::string& unit, const std::string& text);
-  void integer(const std::string& key, int& value, Range range, const std::string& unit, const std::string& text);
-  /** Radians in the program, degrees in the INI; `rangeDeg` is in degrees and the key ends in `_deg` or `_degps`. */
+  void number(const std::string& key, double& value, Range range, const std::string& unit,
+              const std::string& text);
+  void integer(const std::string& key, int& value, Range range, const std::string& unit,
+               const std::string& text);
+  /** Radians in the program, degrees in the INI; `rangeDeg` is in degrees and the key ends in
+   * `_deg` or `_degps`. */
   void angle(const std::string& key, double& value_rad, Range rangeDeg, const std::string& text);
   void flag(const std::string& key, bool& value, const std::string& text);
   void text(const std::string& key, std::string& value, const std::string& text);
@@ -46,12 +51,13 @@ class ConfigSection {
   void points(const std::string& key, std::vector<mrpt::math::TPoint2D>& value, std::size_t fewest,
               const std::string& text);
   /** "a, b, ...", may be empty. */
-  void numbers(const std::string& key, std::vector<double>& value, Range range, const std::string& unit,
-               const std::string& text);
+  void numbers(const std::string& key, std::vector<double>& value, Range range,
+               const std::string& unit, const std::string& text);
   /** "x y heading": metres, metres, degrees. */
   void pose(const std::string& key, mrpt::math::TPose2D& value, const std::string& text);
   /** "x y heading, x y heading, ...": metres, metres, degrees; may be empty. */
-  void poses(const std::string& key, std::vector<mrpt::math::TPose2D>& value, const std::string& text);
+  void poses(const std::string& key, std::vector<mrpt::math::TPose2D>& value,
+             const std::string& text);
 
   /** One of a fixed set of words. */
   template <typename Enum>

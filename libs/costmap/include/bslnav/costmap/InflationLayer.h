@@ -42,20 +42,29 @@ class InflationLayer {
 
  private:
   using Squared = std::int16_t;
+  /** The rows at a distance dy to both sides of the one that is computed. */
+  struct RowPair {
+    const Squared *below, *above;
+    Squared dySquared;
+  };
 
+  void reserveScratch(const CellWindow& target, int slots);
   void measureRow(const Cost* cells, int first, int last, const CellWindow& target, int slot);
   const Squared* rowOrFar(int slot) const;
-  bool measureColumns(int slot);
-  void grade(const Cost* base, Cost* out, int count) const;
+  void collectRows(int slot);
+  void measureColumns(int count);
+  void lookUpCosts(int count);
 
   int reach_ = 0;
-  std::vector<Cost> costs_;     // by squared distance
+  std::vector<Cost> costs_;     // by squared distance; the last one, 0, is for all beyond
   std::vector<Squared> stamp_;  // squared distances in a row to a lethal cell in the middle
   // Scratch of one call, reused. A slot is a row of the window and its surroundings.
   std::size_t stride_ = 0;
   int slots_ = 0;
   std::vector<Squared> inRow_, far_, nearest_;
   std::vector<std::uint8_t> occupied_;  // whether a slot has a lethal cell
+  std::vector<RowPair> rows_;           // that matter to the row that is computed
+  std::vector<Cost> rowCosts_;
 };
 
 }  // namespace bslnav

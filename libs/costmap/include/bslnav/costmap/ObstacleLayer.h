@@ -7,6 +7,7 @@
 #include <mrpt/math/TPose2D.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace bslnav {
@@ -48,14 +49,34 @@ class ObstacleLayer {
     double x, y;  // in cells, from the grid's lower left corner
   };
 
-  CellWindow clearAlong(const mrpt::math::TPose2D& mapFromRobot, const PlanarScan& scan);
-  void clearBeam(const Point& from, const Point& to);
+  /** The cells that a beam clears: `count` columns from `first` in direction `step`, and in each
+   * the row `row`, in fixed point. For a beam that runs more along y, rows and columns change
+   * roles.
+   */
+  struct Line {
+    std::int64_t row = 0, slope = 0;
+    int first = 0, step = 1, count = 0;
+    bool alongX = true;
+
+    Line() = default;
+    Line(const Point& from, const Point& to);
+    void clip(int majorSize, int minorSize);
+    void skip(int cells);
+    int sharedWith(const Line& a, const Line& b) const;
+  };
+
+  CellWindow trace(const mrpt::math::TPose2D& mapFromRobot, const PlanarScan& scan);
+  Line lineWithin(const Point& from, const Point& to) const;
+  void clearAlongLines();
+  void clear(const Line& line);
   CellWindow clearUnder(const mrpt::math::TPose2D& mapFromRobot);
 
   ObstacleParameters parameters_;
   Footprint footprint_;
   CostGrid grid_;
-  std::vector<std::ptrdiff_t> marks_;  // reused every cycle
+  // Reused every cycle.
+  std::vector<Line> lines_;            // of one scan, one a beam
+  std::vector<std::ptrdiff_t> marks_;  // of all scans
 };
 
 }  // namespace bslnav

@@ -26,7 +26,8 @@ class RawlogPictures {
   const RawlogSetup& setup_;
   const LocalizedLog& log_;
   MapBounds bounds_;
-  std::vector<double> time_s_, recorded_mps_, chosen_mps_, recorded_radps_, chosen_radps_, blindSpots_;
+  std::vector<double> time_s_, recorded_mps_, chosen_mps_, recorded_radps_, chosen_radps_,
+      blindSpots_;
   std::vector<mrpt::math::TPoint2D> positions_, spots_;
   CycleSnapshots snapshots_;
   int snapshotsTaken_ = 0;

@@ -8,7 +8,8 @@
 
 namespace bslnav {
 
-/** The velocity that the planner wanted to reach in a cycle; its command is as near to it as one control period allows. */
+/** The velocity that the planner wanted to reach in a cycle; its command is as near to it as one
+ * control period allows. */
 mrpt::math::TTwist2D chosenVelocity(const CycleRecord& record);
 
 /** What an observer of an offline evaluation sees after every control cycle. */
@@ -31,8 +32,8 @@ struct LocalizedLog {
  *  @throws Error when the log or the map cannot be read */
 LocalizedLog localizeLog(const RawlogSetup& setup, std::uint64_t seed);
 
-/** Runs the control cycle over the log: what would the planner have seen and commanded? The robot does as recorded; the
- *  goal is taken from the recorded future. */
+/** Runs the control cycle over the log: what would the planner have seen and commanded? The robot
+ * does as recorded; the goal is taken from the recorded future. */
 RunSummary evaluateLog(const RawlogSetup& setup, const LocalizedLog& log, std::uint64_t seed,
                        const RawlogObserver& observer = {});
 

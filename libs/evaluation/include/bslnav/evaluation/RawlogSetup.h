@@ -9,8 +9,9 @@
 namespace bslnav {
 
 struct RawlogParameters {
-  std::string file;               ///< also --rawlog
-  std::string map = "none";       ///< "none", "log" (built from the log's own scans), or a map file; also --map
+  std::string file;  ///< also --rawlog
+  std::string map =
+      "none";  ///< "none", "log" (built from the log's own scans), or a map file; also --map
   double mapResolution_m = 0.05;  ///< of a map built from a simplemap or from the log
   mrpt::math::TPose2D initialPose;
   double goalAhead_s = 5.0;

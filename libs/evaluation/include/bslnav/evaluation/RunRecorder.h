@@ -8,10 +8,11 @@
 
 namespace bslnav {
 
-/** Leaves a run's files in a directory: `config.ini` at the start, `cycles.csv` row by row, `summary.json` at the end.
+/** Leaves a run's files in a directory: `config.ini` at the start, `cycles.csv` row by row,
+ * `summary.json` at the end.
  *
- * Rows are written as they come, so that an interrupted run keeps its records. Only the fields `*_ms`, `wall_s` and
- * `times_faster_than_recording` of the summary depend on the machine. */
+ * Rows are written as they come, so that an interrupted run keeps its records. Only the fields
+ * `*_ms`, `wall_s` and `times_faster_than_recording` of the summary depend on the machine. */
 class RunRecorder {
  public:
   /** Makes the directory. @throws Error (Run) when it cannot be written */
@@ -20,7 +21,9 @@ class RunRecorder {
   /** One row of cycles.csv. @param truePose where the robot really is, where that is known */
   void write(const CycleRecord& record, const mrpt::math::TPose2D& truePose);
 
-  /** Also writes one row a candidate to candidates.csv: all that the planner considered (about 80 kB a cycle). */
+  /** Also writes one row a candidate to candidates.csv: all that the planner considered (about 80
+   * kB a cycle).
+   *  @throws Error (Run) when it cannot be written */
   void recordCandidates();
 
   /** Writes summary.json. @throws Error (Run) when any of the files could not be written in full */

@@ -29,24 +29,26 @@ struct RawlogFindings {
   bool hasOdometry = true;
   std::optional<long> truncatedAtRecord;
   std::vector<long> clockJumpsAtRecords;
-  double meanSpread_m = 0.0;               ///< of the localisation
-  double speedDifferenceMean_mps = 0.0;    ///< mean |chosen by the planner − recorded|
+  double meanSpread_m = 0.0;             ///< of the localisation
+  double speedDifferenceMean_mps = 0.0;  ///< mean |chosen by the planner − recorded|
   double yawRateDifferenceMean_radps = 0.0;
-  double slowerThanRecorded_percent = 0.0; ///< cycles in which the planner was at least 0.1 m/s slower
-  double wall_s = 0.0;                     ///< wall-clock time of localisation and control cycles
+  double slowerThanRecorded_percent =
+      0.0;              ///< cycles in which the planner was at least 0.1 m/s slower
+  double wall_s = 0.0;  ///< wall-clock time of localisation and control cycles
 };
 
 /** What a run came to; everything but the timings is the same in every repetition. */
 struct RunSummary {
   Outcome outcome = Outcome::Error;
-  std::string reason;                       ///< why, when it is not the goal
+  std::string reason;  ///< why, when it is not the goal
   std::optional<double> timeToGoal_s;
-  double duration_s = 0.0;                  ///< simulated or recorded time
+  double duration_s = 0.0;  ///< simulated or recorded time
   double pathLength_m = 0.0, meanSpeed_mps = 0.0, timeStopped_s = 0.0;
-  bool contact = false, atFault = false;    ///< at fault: the robot was faster than 0.05 m/s at contact
-  std::optional<double> impactSpeed_mps;    ///< of the robot at contact
-  std::optional<double> minClearance_m;     ///< to people; none without people
-  double blindSpotsMean = 0.0;              ///< per cycle
+  bool contact = false,
+       atFault = false;  ///< at fault: the robot was faster than 0.05 m/s at contact
+  std::optional<double> impactSpeed_mps;  ///< of the robot at contact
+  std::optional<double> minClearance_m;   ///< to people; none without people
+  double blindSpotsMean = 0.0;            ///< per cycle
   int cycles = 0, blockedCycles = 0, unhealthyCycles = 0;
   long droppedBeams = 0;
   Percentiles cycle_ms, blindSpots_ms, costmap_ms, globalPlan_ms, motion_ms;
@@ -59,8 +61,10 @@ struct RunSummary {
 /** Adds up the records of a run. */
 class Metrics {
  public:
-  /** @param position,speed_mps where the robot truly is and how fast it moves */
-  void add(const CycleRecord& record, const mrpt::math::TPoint2D& position, double speed_mps, double period_s);
+  /** @param position,speed_mps where the robot truly is and how fast it moves
+   *  @param period_s time since the cycle before; that of the first does not count */
+  void add(const CycleRecord& record, const mrpt::math::TPoint2D& position, double speed_mps,
+           double period_s);
 
   /** Fills in everything that comes from the records. */
   void finish(RunSummary& summary) const;
@@ -68,7 +72,7 @@ class Metrics {
  private:
   int cycles_ = 0, blocked_ = 0, unhealthy_ = 0;
   long droppedBeams_ = 0;
-  double path_m_ = 0.0, stopped_s_ = 0.0, moved_s_ = 0.0, blindSpots_ = 0.0;
+  double path_m_ = 0.0, stopped_s_ = 0.0, time_s_ = 0.0, blindSpots_ = 0.0;
   mrpt::math::TPoint2D last_;
   std::vector<StageTimes> times_;
 };

@@ -13,13 +13,15 @@ struct SeedTable {
   std::string scenario;
   std::vector<RunSummary> runs;  ///< seed by seed, the methods of a seed together
 
-  /** One line a method: runs, goals, contacts, at-fault contacts, mean time to the goal with its 95 % interval, clearance. */
+  /** One line a method: runs, goals, contacts, at-fault contacts, mean time to the goal with its 95
+   * % interval, clearance. */
   std::string markdown() const;
   /** One row a run. */
   std::string csv() const;
 };
 
-/** Mean of some values and half the width of its 95 % interval (normal approximation; 0 for fewer than two values). */
+/** Mean of some values and half the width of its 95 % interval (normal approximation; 0 for fewer
+ * than two values). */
 struct MeanInterval {
   double mean = 0.0, half = 0.0;
 };

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <bslnav/pictures/MapPicture.h>
 #include <bslnav/evaluation/CycleSnapshots.h>
 #include <bslnav/evaluation/SimulationRun.h>
+#include <bslnav/pictures/MapPicture.h>
 
 #include <string>
 #include <vector>
@@ -12,7 +12,8 @@ namespace bslnav {
 /** Gathers what a simulated run's pictures show, cycle by cycle, and draws them. */
 class SimulationPictures {
  public:
-  SimulationPictures(const SimulationSetup& setup, std::shared_ptr<const mrpt::maps::COccupancyGridMap2D> map);
+  SimulationPictures(const SimulationSetup& setup,
+                     std::shared_ptr<const mrpt::maps::COccupancyGridMap2D> map);
 
   /** Takes in one cycle; draws a cost map snapshot when one of the configured times has come. */
   void observe(const SimulationMoment& moment);

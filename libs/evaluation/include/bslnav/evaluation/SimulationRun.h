@@ -16,13 +16,16 @@ struct SimulationMoment {
   const NavigationCycle& cycle;
 };
 
-/** Called after every cycle; returning false interrupts the run: the robot is told to stop, and the outcome is error. */
+/** Called after every cycle; returning false interrupts the run: the robot is told to stop, and the
+ * outcome is error. */
 using SimulationObserver = std::function<bool(const SimulationMoment&)>;
 
 /** Drives the robot of a setup to its goal, in simulated time.
  *
- * The same setup and seed give the same run. Exceptions of the observer pass through.
+ * The same setup and seed give the same run. However it ends, also by an exception (the outcome is
+ * then error), the robot is told to stop.
  *  @throws Error when the setup cannot be run (start in collision, goal outside the map) */
-RunSummary runSimulation(const SimulationSetup& setup, std::uint64_t seed, const SimulationObserver& observer = {});
+RunSummary runSimulation(const SimulationSetup& setup, std::uint64_t seed,
+                         const SimulationObserver& observer = {});
 
 }  // namespace bslnav

@@ -13,6 +13,15 @@
 
 namespace bslnav {
 
+/** What moves. */
+enum class RobotType : std::uint8_t { Simulated };
+
+struct RobotParameters {
+  RobotType type = RobotType::Simulated;
+
+  void describe(ConfigSection& section);
+};
+
 /** Where the robot's pose comes from. */
 enum class PoseSource : std::uint8_t { Truth, Odometry, ParticleFilter };
 
@@ -28,7 +37,7 @@ struct ScenarioParameters {
   mrpt::math::TPose2D start;
   std::vector<mrpt::math::TPose2D> goals;  ///< the last one is the goal, those before are waypoints
   double timeLimit_s = 90.0;
-  std::string map = "world";               ///< "world": a survey of it; "none"; or a file
+  std::string map = "world";  ///< "world": a survey of it; "none"; or a file
   double triggerVariation_m = 0.0;
   double speedVariation = 0.0;
 
@@ -48,7 +57,8 @@ struct SimulationSetup {
   ScenarioParameters scenario;
   LocalizationParameters localization;
   ParticleFilterParameters particleFilter;
-  SimulatedRobotParameters robot;
+  RobotParameters robot;
+  SimulatedRobotParameters simulatedRobot;
   std::map<std::string, LaserParameters> lasers;
   WorldParameters world;
   PictureParameters pictures;
@@ -61,7 +71,8 @@ struct SimulationSetup {
   std::shared_ptr<const mrpt::maps::COccupancyGridMap2D> makeMap() const;
 };
 
-/** The setup of one seed: trigger lines shifted along x and speeds scaled, uniformly within the scenario's variation. */
+/** The setup of one seed: trigger lines shifted along x and speeds scaled, uniformly within the
+ * scenario's variation. */
 SimulationSetup varied(SimulationSetup setup, std::uint64_t seed);
 
 }  // namespace bslnav

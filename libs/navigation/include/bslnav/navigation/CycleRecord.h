@@ -10,7 +10,8 @@
 
 namespace bslnav {
 
-/** Wall-clock time of each stage of a cycle [s]; the only part of a record that differs from run to run. */
+/** Wall-clock time of each stage of a cycle [s]; the only part of a record that differs from run to
+ * run. */
 struct StageTimes {
   double blindSpots_s = 0, costmap_s = 0, globalPlan_s = 0, motion_s = 0, total_s = 0;
 };
@@ -22,16 +23,16 @@ struct CycleRecord {
   int index = 0;
   double time_s = 0.0;
   mrpt::math::TPose2D mapFromRobot;
-  mrpt::math::TTwist2D twist;                ///< measured, robot frame
-  Health health = Health::Ok;                ///< anything but Ok stops the robot
-  int beams = 0, droppedBeams = 0;           ///< of all scans of this cycle
-  std::vector<BlindSpot> blindSpots;         ///< of the newest scans; robot frame at that time
-  std::vector<DangerZone> dangerZones;       ///< map frame
-  std::vector<mrpt::math::TPoint2D> path;    ///< global path, map frame; empty when there is none
+  mrpt::math::TTwist2D twist;              ///< measured, robot frame
+  Health health = Health::Ok;              ///< anything but Ok stops the robot
+  int beams = 0, droppedBeams = 0;         ///< of all scans of this cycle
+  std::vector<BlindSpot> blindSpots;       ///< of the newest scans; robot frame at that time
+  std::vector<DangerZone> dangerZones;     ///< map frame
+  std::vector<mrpt::math::TPoint2D> path;  ///< global path, map frame; empty when there is none
   PathResult::Status pathStatus = PathResult::Status::Found;
   bool replanned = false;
-  Motion motion;                             ///< the command is `motion.command`
-  DwaResult dwa;                             ///< every candidate; belongs to this cycle when motion.planned
+  Motion motion;  ///< the command is `motion.command`
+  DwaResult dwa;  ///< every candidate; belongs to this cycle when motion.planned
   StageTimes times;
 };
 

@@ -54,8 +54,8 @@ class MotionPlanner {
     mrpt::math::TPose2D mapFromRobot;
     mrpt::math::TTwist2D twist;
     const std::vector<mrpt::math::TPoint2D>& path;  ///< empty: none was found
-    mrpt::math::TPose2D goal;  ///< the last one; its heading is taken up on arrival
-    bool lastLeg = true;       ///< false: waypoints lie between the robot and the goal
+    mrpt::math::TPose2D goal;   ///< where the path leads; its heading is taken up on arrival
+    double passWithin_m = 0.0;  ///< above 0: a waypoint, passed this near without stopping
   };
 
   Motion step(const Input& input, const CostGrid& costs);

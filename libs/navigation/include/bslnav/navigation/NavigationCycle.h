@@ -10,31 +10,39 @@
 
 namespace bslnav {
 
-/** One control cycle: what the robot senses → blind spots → costs → path → command, with a record of all of it.
+/** One control cycle: what the robot senses → blind spots → costs → path → command, with a record
+ * of all of it.
  *
- * The same object serves simulator, hardware and rawlogs and does not know which. Given the same frames, parameters and
- * goals it returns the same bits (but for the stage times). Nothing in the steady cycle allocates, except for a new path. */
+ * The same object serves simulator, hardware and rawlogs and does not know which. Given the same
+ * frames, parameters and goals it returns the same bits (but for the stage times). Nothing in the
+ * steady cycle allocates, except for a new path. */
 class NavigationCycle {
  public:
   /** @param map static map, or null to plan on what the sensors have seen */
   NavigationCycle(const NavigationParameters& parameters,
                   std::shared_ptr<const mrpt::maps::COccupancyGridMap2D> map);
 
-  /** Drives through these poses, map frame; the robot stops at the last one and takes up its heading. */
+  /** Drives through these poses, map frame; the robot stops at the last one and takes up its
+   * heading. */
   void setGoals(std::vector<mrpt::math::TPose2D> goals);
 
   /** Runs one cycle. The record is valid until the next call. */
   const CycleRecord& step(const SensorFrame& frame);
 
   const CostGrid& localCosts() const { return local_.costs(); }
-  /** What the global planner plans on: the whole map, or without a map the local costs without blind spots. */
-  const CostGrid& planningCosts() const { return global_ ? global_->costs() : local_.costsWithoutBlindSpots(); }
+  /** What the global planner plans on: the whole map, or without a map the local costs without
+   * blind spots. */
+  const CostGrid& planningCosts() const {
+    return global_ ? global_->costs() : local_.costsWithoutBlindSpots();
+  }
   const std::vector<mrpt::math::TPose2D>& goals() const { return goals_; }
 
  private:
   CycleRecord::Health takeOver(const SensorFrame& frame);
+  void resizeScans(std::size_t count);
   void findBlindSpots();
   void advanceWaypoint();
+  bool needsPath() const;
   void planPath();
   mrpt::math::TPoint2D withinGlobalMap(const mrpt::math::TPoint2D& goal) const;
 
@@ -48,9 +56,9 @@ class NavigationCycle {
   std::vector<mrpt::math::TPose2D> goals_;
   std::size_t nextGoal_ = 0;
   bool goalsChanged_ = false;
+  bool pathCutShort_ = false;  // it ends at the edge of the local map, on the way to the next goal
   double plannedAt_s_ = 0.0, newestScan_s_ = -1e9;
-  mrpt::math::TTwist2D lastTwist_;  // to brake from when the measured one cannot be trusted
-  std::vector<PlanarScan> scans_;
+  std::vector<PlanarScan> scans_, spareScans_;  // spare: buffers of a cycle that had more scans
   CycleRecord record_;
 };
 

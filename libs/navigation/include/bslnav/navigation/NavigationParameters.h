@@ -11,7 +11,8 @@
 
 namespace bslnav {
 
-/** Which of the paper's methods this is, for reports; what a method does is in the other sections. */
+/** Which of the paper's methods this is, for reports; what a method does is in the other sections.
+ */
 struct MethodParameters {
   int number = 1;
   std::string name = "ROS default";
@@ -29,10 +30,11 @@ struct BlindSpotParameters {
 };
 
 struct CycleParameters {
-  double period_s = 0.1;           ///< control period
-  double replanPeriod_s = 1.0;     ///< a new global path at least this often
+  double period_s = 0.1;        ///< control period
+  double replanPeriod_s = 1.0;  ///< a new global path at least this often
   double waypointTolerance_m = 0.4;
-  double sensorMaxAge_s = 0.5;     ///< an older scan is stale: the robot stops
+  double sensorMaxRange_m = 0.0;  ///< ranges from here on are no return; 0: as the scan says
+  double sensorMaxAge_s = 0.5;    ///< an older scan is stale: the robot stops
 
   void describe(ConfigSection& section);
 };

@@ -16,6 +16,7 @@ class RecordedPath {
   struct Sample {
     double time_s = 0.0;
     mrpt::math::TPose2D pose;  ///< map frame
+    double spread_m = 0.0;     ///< standard deviation of the position, where that is estimated
   };
 
   /** @throws Error when there is no sample, or time goes back */

@@ -29,7 +29,8 @@ struct DwaInput {
   mrpt::math::TTwist2D twist;                     ///< robot frame
   const std::vector<mrpt::math::TPoint2D>& path;  ///< global path, map frame
   mrpt::math::TPoint2D goal;                      ///< local goal, map frame
-  double goalTolerance_m = 0.0;  ///< above 0: the robot is to stop at the goal, this near
+  double goalTolerance_m = 0.0;  ///< above 0: a rollout that comes this near has reached the goal
+  bool stopsAtGoal = true;       ///< with a tolerance: whether the robot is to stop there
 };
 
 /** One velocity that was considered, with all that was thought of it. */
