@@ -64,7 +64,7 @@ TEST(DangerZone, LimitsTheBearingBesideAndBehindTheRobot) {
 
 TEST(DangerZone, TakesTheLimitOfTheBearingFromTheParameters) {
   DangerZoneParameters parameters;
-  parameters.max_bearing_rad = 45.0 * kDegree;  // tan = 1
+  parameters.maxBearing_rad = 45.0 * kDegree;  // tan = 1
   EXPECT_NEAR(dangerZone(BlindSpot::at({1.0, 3.0}), {}, 0.0, parameters).centre.y, 3.5, 1e-12);
 }
 
@@ -108,13 +108,13 @@ TEST(DangerZoneParameters, LoadWithUnitsInTheirKeys) {
   config.load({}, {"danger.shoulder_width_m=0.6", "danger.stride_m=0.7", "danger.offset_m=0.1",
                    "danger.amplitude=100", "danger.scaling_per_m=2", "danger.deceleration_mps2=0.4",
                    "danger.max_bearing_deg=60"});
-  EXPECT_EQ(parameters.shoulder_width_m, 0.6);
+  EXPECT_EQ(parameters.shoulderWidth_m, 0.6);
   EXPECT_EQ(parameters.stride_m, 0.7);
   EXPECT_EQ(parameters.offset_m, 0.1);
   EXPECT_EQ(parameters.amplitude, 100.0);
   EXPECT_EQ(parameters.scaling_per_m, 2.0);
   EXPECT_EQ(parameters.deceleration_mps2, 0.4);
-  EXPECT_NEAR(parameters.max_bearing_rad, 60.0 * kDegree, 1e-12);
+  EXPECT_NEAR(parameters.maxBearing_rad, 60.0 * kDegree, 1e-12);
 }
 
 }  // namespace

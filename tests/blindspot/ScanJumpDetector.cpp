@@ -110,7 +110,7 @@ TEST(ScanJumpParameters, LoadFromTheConfiguration) {
   config.bind("scan_jumps", "blind spots from scans", parameters);
   config.load({}, {"scan_jumps.threshold_m=0.7", "scan_jumps.no_return=skip"});
   EXPECT_EQ(parameters.threshold_m, 0.7);
-  EXPECT_EQ(parameters.no_return, NoReturn::Skip);
+  EXPECT_EQ(parameters.noReturn, NoReturn::Skip);
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ constexpr double kSqrt2 = 577.0 / 408.0;  // the planner's own diagonal
 
 GlobalPlannerParameters exactEnds() {
   GlobalPlannerParameters parameters;
-  parameters.start_tolerance_m = parameters.goal_tolerance_m = 0.0;
+  parameters.startTolerance_m = parameters.goalTolerance_m = 0.0;
   return parameters;
 }
 
@@ -34,7 +34,7 @@ TEST(GlobalPlanner, CostsTheOctileDistanceOnAnEmptyGrid) {
 
 TEST(GlobalPlanner, CostsAStepByItsLengthAndTheCellItEnters) {
   GlobalPlannerParameters parameters;
-  parameters.cost_weight = 3.0;
+  parameters.costWeight = 3.0;
   const CostGrid grid = drawn({".3."});  // 3 is cost 84
   const auto result = GlobalPlanner(parameters).plan(grid, centre(grid, 0, 0), centre(grid, 2, 0));
   EXPECT_DOUBLE_EQ(result.cost, 0.5 * (1 + 3.0 * 84 / 252) + 0.5 * 1);  // 1.0 m + 0.5 m
@@ -46,8 +46,8 @@ TEST(GlobalPlanner, GoesAroundCostlyCellsWhenTheWeightSaysSo) {
                                "....."});
   const TPoint2D start = centre(grid, 0, 1), goal = centre(grid, 4, 1);
   GlobalPlannerParameters shortest, careful;
-  shortest.cost_weight = 0.0;  // straight through: 4 steps
-  careful.cost_weight = 3.0;   // through 3·4 + 1 = 13, around 2 + 2·√2
+  shortest.costWeight = 0.0;  // straight through: 4 steps
+  careful.costWeight = 3.0;   // through 3·4 + 1 = 13, around 2 + 2·√2
   EXPECT_DOUBLE_EQ(GlobalPlanner(shortest).plan(grid, start, goal).cost, 4 * 0.5);
   EXPECT_DOUBLE_EQ(GlobalPlanner(careful).plan(grid, start, goal).cost, (2 + 2 * kSqrt2) * 0.5);
 }
@@ -108,7 +108,7 @@ TEST(GlobalPlanner, PlansFromAndToInflatedCells) {
 TEST(GlobalPlanner, MovesABlockedStartToTheNearestFreeCell) {
   const CostGrid grid = drawn({"iii..."});
   GlobalPlannerParameters parameters;
-  parameters.start_tolerance_m = 1.0;  // from the second cell, the free fourth is 1.0 m away
+  parameters.startTolerance_m = 1.0;  // from the second cell, the free fourth is 1.0 m away
   const auto result = GlobalPlanner(parameters).plan(grid, centre(grid, 1, 0), centre(grid, 5, 0));
   ASSERT_EQ(result.status, Status::Found);
   EXPECT_EQ(result.points.front(), centre(grid, 3, 0));
@@ -120,7 +120,7 @@ TEST(GlobalPlanner, MovesABlockedGoalToTheNearestReachableCell) {
   const CostGrid grid = drawn({"...###.",  //
                                "...###."});
   GlobalPlannerParameters parameters;
-  parameters.goal_tolerance_m =
+  parameters.goalTolerance_m =
       1.6;  // from the sixth cell: the last is nearer but cut off, the third 1.5 m away
   const auto result = GlobalPlanner(parameters).plan(grid, centre(grid, 0, 0), centre(grid, 5, 0));
   ASSERT_EQ(result.status, Status::Found);
@@ -166,8 +166,8 @@ TEST(GlobalPlanner, TakesUnknownCellsOnlyWhenAllowed) {
   GlobalPlannerParameters parameters = exactEnds();
   EXPECT_EQ(GlobalPlanner(parameters).plan(grid, centre(grid, 0, 0), centre(grid, 3, 0)).status,
             Status::NoPath);
-  parameters.allow_unknown = true;
-  parameters.cost_weight = 2.0;  // unknown costs as the highest graded cell: 1 + 2
+  parameters.allowUnknown = true;
+  parameters.costWeight = 2.0;  // unknown costs as the highest graded cell: 1 + 2
   EXPECT_DOUBLE_EQ(
       GlobalPlanner(parameters).plan(grid, centre(grid, 0, 0), centre(grid, 3, 0)).cost,
       (3 + 3 + 1) * 0.5);
@@ -194,10 +194,10 @@ TEST(GlobalPlannerParameters, LoadWithUnitsInTheirKeys) {
   config.bind("planner", "global planner", parameters);
   config.load({}, {"planner.cost_weight=1.5", "planner.start_tolerance_m=0.1",
                    "planner.goal_tolerance_m=0.2", "planner.allow_unknown=true"});
-  EXPECT_EQ(parameters.cost_weight, 1.5);
-  EXPECT_EQ(parameters.start_tolerance_m, 0.1);
-  EXPECT_EQ(parameters.goal_tolerance_m, 0.2);
-  EXPECT_TRUE(parameters.allow_unknown);
+  EXPECT_EQ(parameters.costWeight, 1.5);
+  EXPECT_EQ(parameters.startTolerance_m, 0.1);
+  EXPECT_EQ(parameters.goalTolerance_m, 0.2);
+  EXPECT_TRUE(parameters.allowUnknown);
 }
 
 }  // namespace

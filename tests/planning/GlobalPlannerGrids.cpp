@@ -9,11 +9,11 @@ std::vector<std::int64_t> costsFrom(const CostGrid& grid, int x0, int y0,
   const auto passable = [&](int x, int y) {
     return grid.bounds().contains(x, y) &&
            (grid.at(x, y) < kInscribedCost ||
-            (grid.at(x, y) == kUnknownCost && parameters.allow_unknown));
+            (grid.at(x, y) == kUnknownCost && parameters.allowUnknown));
   };
   const auto step = [&](int x, int y, bool diagonal) {
     const double cost = std::min(grid.at(x, y), kHighestGradedCost);
-    return std::llround((diagonal ? 577.0 : 408.0) * (1.0 + parameters.cost_weight * cost / 252.0));
+    return std::llround((diagonal ? 577.0 : 408.0) * (1.0 + parameters.costWeight * cost / 252.0));
   };
   std::vector<std::int64_t> costs(static_cast<std::size_t>(grid.width() * grid.height()),
                                   kUnreached);

@@ -35,9 +35,9 @@ Problem anyProblem() {
            {1, rc::gen::just(kUnknownCost)}}));
   Problem problem{CostGrid(width, height, 0.5, -3.0, 2.0), {}, 0, 0, 0, 0};
   std::copy(cells.begin(), cells.end(), problem.grid.row(0));
-  problem.parameters.start_tolerance_m = problem.parameters.goal_tolerance_m = 0.0;
-  problem.parameters.cost_weight = *rc::gen::element(0.0, 0.7, 3.0, 20.0);
-  problem.parameters.allow_unknown = *rc::gen::arbitrary<bool>();
+  problem.parameters.startTolerance_m = problem.parameters.goalTolerance_m = 0.0;
+  problem.parameters.costWeight = *rc::gen::element(0.0, 0.7, 3.0, 20.0);
+  problem.parameters.allowUnknown = *rc::gen::arbitrary<bool>();
   problem.startX = below(width);
   problem.startY = below(height);
   problem.goalX = below(width);
@@ -56,7 +56,7 @@ PathResult solve(const Problem& p) {
 
 bool passable(const Problem& p, int x, int y) {
   const Cost cost = p.grid.at(x, y);
-  return cost < kInscribedCost || (cost == kUnknownCost && p.parameters.allow_unknown);
+  return cost < kInscribedCost || (cost == kUnknownCost && p.parameters.allowUnknown);
 }
 
 std::int64_t dijkstra(const Problem& p) {
@@ -90,7 +90,7 @@ RC_GTEST_PROP(GlobalPlannerLaw, APathIsPassableAdjacentAndCutsNoCorner, ()) {
     RC_ASSERT((passable(problem, x, py) && passable(problem, px, y)));
     const double graded = std::min(problem.grid.at(x, y), kHighestGradedCost);
     cost +=
-        0.5 * std::hypot(x - px, y - py) * (1.0 + problem.parameters.cost_weight * graded / 252.0);
+        0.5 * std::hypot(x - px, y - py) * (1.0 + problem.parameters.costWeight * graded / 252.0);
   }
   RC_ASSERT(std::abs(cost - result.cost) <= 0.002 * cost);  // rounding: half of 1/408 a step
 }
@@ -112,7 +112,7 @@ RC_GTEST_PROP(GlobalPlannerLaw, CostlierCellsNeverMakeAPathCheaper, ()) {
 RC_GTEST_PROP(GlobalPlannerLaw, MovesAlongEightNeighboursReachWhatIsFourConnected, ()) {
   const Problem problem = anyProblem();
   AStarTerrain terrain;
-  terrain.assign(problem.grid, problem.parameters.allow_unknown);
+  terrain.assign(problem.grid, problem.parameters.allowUnknown);
   const int region = terrain.region(terrain.index(problem.startX, problem.startY));
   const auto costs = costsFrom(problem.grid, problem.startX, problem.startY, problem.parameters);
   for (int y = 0; y < problem.grid.height(); ++y)
@@ -125,13 +125,13 @@ RC_GTEST_PROP(GlobalPlannerLaw, MovesAlongEightNeighboursReachWhatIsFourConnecte
 
 RC_GTEST_PROP(GlobalPlannerLaw, AMovedGoalLiesWithinTheToleranceAndNoReachableCellIsNearer, ()) {
   Problem problem = anyProblem();
-  problem.parameters.goal_tolerance_m = *rc::gen::element(0.5, 0.8, 2.0);
+  problem.parameters.goalTolerance_m = *rc::gen::element(0.5, 0.8, 2.0);
   problem.grid.at(problem.goalX, problem.goalY) = kLethalCost;
   const PathResult result = solve(problem);
   RC_PRE(result.status == Status::Found && result.goalMoved);
   const auto goal = centre(problem.grid, problem.goalX, problem.goalY);
   const double moved_m = (result.points.back() - goal).norm();
-  RC_ASSERT(moved_m <= problem.parameters.goal_tolerance_m);
+  RC_ASSERT(moved_m <= problem.parameters.goalTolerance_m);
   const auto costs = costsFrom(problem.grid, problem.startX, problem.startY, problem.parameters);
   for (int y = 0; y < problem.grid.height(); ++y)
     for (int x = 0; x < problem.grid.width(); ++x)

@@ -6,7 +6,7 @@
 namespace bslnav {
 
 void DangerZoneParameters::describe(ConfigSection& section) {
-  section.number("shoulder_width_m", shoulder_width_m, kNonNegative, "m",
+  section.number("shoulder_width_m", shoulderWidth_m, kNonNegative, "m",
                  "shoulder width of a person (H_w)");
   section.number("stride_m", stride_m, kNonNegative, "m", "what a person needs to stop (L)");
   section.number("offset_m", offset_m, kNonNegative, "m",
@@ -17,16 +17,16 @@ void DangerZoneParameters::describe(ConfigSection& section) {
                  "how fast the cost falls with the distance (S)");
   section.number("deceleration_mps2", deceleration_mps2, kPositive, "m/s^2",
                  "deceleration of the braking robot (|a|)");
-  section.angle("max_bearing_deg", max_bearing_rad, {0.0, 89.0},
+  section.angle("max_bearing_deg", maxBearing_rad, {0.0, 89.0},
                 "limit of the bearing of a blind spot, whose tangent moves the centre");
 }
 
 DangerZone dangerZone(const BlindSpot& blindSpot, const mrpt::math::TPose2D& mapFromRobot,
                       double speed_mps, const DangerZoneParameters& parameters) {
   const double bearing =
-      std::clamp(blindSpot.bearing_rad, -parameters.max_bearing_rad, parameters.max_bearing_rad);
+      std::clamp(blindSpot.bearing_rad, -parameters.maxBearing_rad, parameters.maxBearing_rad);
   const mrpt::math::TPoint2D centre{
-      blindSpot.position.x, blindSpot.position.y + parameters.shoulder_width_m * std::tan(bearing)};
+      blindSpot.position.x, blindSpot.position.y + parameters.shoulderWidth_m * std::tan(bearing)};
   const double stopping_m = speed_mps * speed_mps / (2.0 * std::abs(parameters.deceleration_mps2));
   return {mapFromRobot.composePoint(centre), stopping_m + parameters.stride_m + parameters.offset_m,
           parameters.amplitude, parameters.scaling_per_m};

@@ -31,7 +31,7 @@ BlindSpot blindSpotAt(const PlanarScan& scan, std::size_t i) {
 void ScanJumpParameters::describe(ConfigSection& section) {
   section.number("threshold_m", threshold_m, kPositive, "m",
                  "range difference of neighbouring beams that makes a blind spot");
-  section.choice("no_return", no_return,
+  section.choice("no_return", noReturn,
                  {{"max_range", NoReturn::MaxRange}, {"skip", NoReturn::Skip}},
                  "a beam without return sees up to the maximum range, or says nothing");
 }
@@ -53,7 +53,7 @@ void ScanJumpDetector::detectIn(const PlanarScan& scan) {
     const int i = k % size;
     const auto current = static_cast<std::size_t>(i);
     const bool skipped =
-        scan.beam[current] == Beam::NoReturn && parameters_.no_return == NoReturn::Skip;
+        scan.beam[current] == Beam::NoReturn && parameters_.noReturn == NoReturn::Skip;
     if (scan.beam[current] == Beam::Dropped) continue;
     if (previous != kNone && !skipped) {
       const float before = scan.range_m[static_cast<std::size_t>(previous)];

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include "VectorClones.h"
+
 namespace bslnav {
 namespace {
 
@@ -34,23 +36,31 @@ float decay(float x) {
   return p * power;
 }
 
+/** Costs of `kBlock` cells of a row; dx_m is from the zone's centre to the centre of the first. */
+inline void costsOfBlock(float dx_m, float dySquared_m2, float resolution_m, float amplitude,
+                         float scaling, Cost* costs) {
+  for (int i = 0; i < kBlock; ++i) {
+    const float dx = dx_m + static_cast<float>(i) * resolution_m;
+    const float exponent = std::min(80.0f, scaling * std::sqrt(dx * dx + dySquared_m2));
+    const float cost =
+        std::min(static_cast<float>(kHighestGradedCost), amplitude * decay(-exponent));
+    costs[i] = static_cast<Cost>(static_cast<std::int32_t>(cost));
+  }
+}
+
 /** Raises the cells of a row that lie in `xs`; dx0_m is from the zone's centre to the centre of
  * cell 0. */
-void raiseRow(Cost* row, const Span& xs, float dx0_m, float dySquared_m2, float resolution_m,
-              const DangerZone& zone) {
-  const auto amplitude = static_cast<float>(zone.amplitude),
-             scaling = static_cast<float>(zone.scaling_per_m);
+BSLNAV_VECTOR_CLONES void raiseRow(Cost* row, const Span& xs, float dx0_m, float dySquared_m2,
+                                   float resolution_m, float amplitude, float scaling) {
   for (int x = xs.first; x < xs.last; x += kBlock) {
     Cost costs[kBlock];
-    for (int i = 0; i < kBlock; ++i) {
-      const float dx = dx0_m + static_cast<float>(x + i) * resolution_m;
-      const float exponent = std::min(80.0f, scaling * std::sqrt(dx * dx + dySquared_m2));
-      const float cost =
-          std::min(static_cast<float>(kHighestGradedCost), amplitude * decay(-exponent));
-      costs[i] = static_cast<Cost>(static_cast<std::int32_t>(cost));
-    }
+    costsOfBlock(dx0_m + static_cast<float>(x) * resolution_m, dySquared_m2, resolution_m,
+                 amplitude, scaling, costs);
     const int count = std::min(kBlock, xs.last - x);
-    for (int i = 0; i < count; ++i) row[x + i] = std::max(row[x + i], costs[i]);
+    if (count == kBlock)
+      for (int i = 0; i < kBlock; ++i) row[x + i] = std::max(row[x + i], costs[i]);
+    else
+      for (int i = 0; i < count; ++i) row[x + i] = std::max(row[x + i], costs[i]);
   }
 }
 
@@ -66,7 +76,8 @@ CellWindow addDangerZone(const DangerZone& zone, CostGrid& costs) {
     const double dy_m = dy * resolution_m;
     raiseRow(costs.row(y), Span(cx - half, cx + half, costs.width()),
              static_cast<float>((0.5 - cx) * resolution_m), static_cast<float>(dy_m * dy_m),
-             static_cast<float>(resolution_m), zone);
+             static_cast<float>(resolution_m), static_cast<float>(zone.amplitude),
+             static_cast<float>(zone.scaling_per_m));
   }
   const Span xs(cx - radius, cx + radius, costs.width());
   return {xs.first, ys.first, xs.last, ys.last};

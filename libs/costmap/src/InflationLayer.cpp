@@ -5,12 +5,14 @@
 #include <cmath>
 #include <cstring>
 
+#include "VectorClones.h"
+
 namespace bslnav {
 namespace {
 
 constexpr std::int16_t kFar =
     16384;  // (kMaxReach + 1)²: no table gets there, and kFar + kMaxReach² still fits
-constexpr int kBlock = 16;  // cells computed at once, in registers
+constexpr int kBlock = 16;  // cells looked up at once
 constexpr double kRounding = 1e-9;
 
 /** First lethal cell in [first, last), or last. */
@@ -20,8 +22,17 @@ int nextLethal(const Cost* cells, int first, int last) {
   return found ? static_cast<int>(static_cast<const Cost*>(found) - cells) : last;
 }
 
+/** Lowers `nearest` to min(below, above) + squared. */
+BSLNAV_VECTOR_CLONES void lower(const std::int16_t* below, const std::int16_t* above,
+                                std::int16_t squared, std::int16_t* nearest, int count) {
+  for (int x = 0; x < count; ++x) {
+    const auto reached = static_cast<std::int16_t>(std::min(below[x], above[x]) + squared);
+    nearest[x] = std::min(nearest[x], reached);
+  }
+}
+
 /** The higher cost, but an unknown cell stays unknown unless it becomes inscribed. */
-void combine(const Cost* base, const Cost* inflated, Cost* out, int count) {
+BSLNAV_VECTOR_CLONES void combine(const Cost* base, const Cost* inflated, Cost* out, int count) {
   for (int x = 0; x < count; ++x) {
     const Cost higher = base[x] > inflated[x] ? base[x] : inflated[x];
     const bool replaced = (base[x] == kUnknownCost) & (inflated[x] >= kInscribedCost);
@@ -71,13 +82,11 @@ void InflationLayer::apply(const CostGrid& base, const CellWindow& window, CostG
   for (int y = target.y0; y < target.y1; ++y) {
     const Cost* const from = base.row(y) + target.x0;
     Cost* const to = out.row(y) + target.x0;
-    collectRows(y - source.y0);
-    if (rows_.empty()) {
-      std::memcpy(to, from, static_cast<std::size_t>(target.width()));
-    } else {
-      measureColumns(target.width());
+    if (measureColumns(y - source.y0, target.width())) {
       lookUpCosts(target.width());
       combine(from, rowCosts_.data(), to, target.width());
+    } else {
+      std::memcpy(to, from, static_cast<std::size_t>(target.width()));
     }
   }
 }
@@ -90,7 +99,6 @@ void InflationLayer::reserveScratch(const CellWindow& target, int slots) {
   if (occupied_.size() < rows) occupied_.resize(rows);
   if (far_.size() < stride_)
     far_.assign(stride_, kFar), nearest_.resize(stride_), rowCosts_.resize(stride_);
-  rows_.reserve(static_cast<std::size_t>(reach_ + 1));
 }
 
 /** For each cell of the target's columns the squared distance to the nearest lethal cell in its
@@ -123,31 +131,19 @@ const InflationLayer::Squared* InflationLayer::rowOrFar(int slot) const {
          2 * reach_;
 }
 
-/** Finds the rows around a slot that have lethal cells. */
-void InflationLayer::collectRows(int slot) {
-  const Squared* const far = rowOrFar(-1);
-  rows_.clear();
-  for (int dy = 0; dy <= reach_; ++dy) {
+/** Fills nearest_ with the least of in-row distance² + dy² over the rows around a slot; false if
+ * there is none. */
+bool InflationLayer::measureColumns(int slot, int count) {
+  const Squared *const far = rowOrFar(-1), *const own = rowOrFar(slot);
+  bool any = own != far;
+  std::memcpy(nearest_.data(), own, static_cast<std::size_t>(count) * sizeof(Squared));
+  for (int dy = 1; dy <= reach_; ++dy) {
     const Squared *const below = rowOrFar(slot - dy), *const above = rowOrFar(slot + dy);
-    if (below != far || above != far)
-      rows_.push_back({below, above, static_cast<Squared>(dy * dy)});
+    if (below == far && above == far) continue;
+    any = true;
+    lower(below, above, static_cast<Squared>(dy * dy), nearest_.data(), count);
   }
-}
-
-/** Fills nearest_ with the least of in-row distance² + dy² over the collected rows. */
-void InflationLayer::measureColumns(int count) {
-  const auto beyond = static_cast<Squared>(costs_.size() - 1);
-  for (int x = 0; x < count; x += kBlock) {
-    Squared nearest[kBlock];
-    std::fill(nearest, nearest + kBlock, beyond);
-    for (const RowPair& rows : rows_)
-      for (int i = 0; i < kBlock; ++i) {
-        const auto reached =
-            static_cast<Squared>(std::min(rows.below[x + i], rows.above[x + i]) + rows.dySquared);
-        nearest[i] = std::min(nearest[i], reached);
-      }
-    std::copy(nearest, nearest + kBlock, nearest_.data() + x);
-  }
+  return any;
 }
 
 /** Fills rowCosts_ from nearest_. */
@@ -156,12 +152,13 @@ void InflationLayer::lookUpCosts(int count) {
   for (int x = 0; x < count; x += kBlock) {
     const Squared* const nearest = nearest_.data() + x;
     Cost* const costs = rowCosts_.data() + x;
-    Squared least = beyond;
-    for (int i = 0; i < kBlock; ++i) least = std::min(least, nearest[i]);
-    if (least == beyond)
+    Squared least = nearest[0];
+    for (int i = 1; i < kBlock; ++i) least = std::min(least, nearest[i]);
+    if (least >= beyond)
       std::fill(costs, costs + kBlock, kFreeCost);
     else
-      for (int i = 0; i < kBlock; ++i) costs[i] = costs_[static_cast<std::size_t>(nearest[i])];
+      for (int i = 0; i < kBlock; ++i)
+        costs[i] = costs_[static_cast<std::size_t>(std::min(nearest[i], beyond))];
   }
 }
 

@@ -24,14 +24,14 @@ PathResult failed(Status status) {
 }  // namespace
 
 void GlobalPlannerParameters::describe(ConfigSection& section) {
-  section.number("cost_weight", cost_weight, {0.0, 100.0}, "",
+  section.number("cost_weight", costWeight, {0.0, 100.0}, "",
                  "a step costs length * (1 + cost_weight * cost/252): 0 for the shortest path, "
                  "more to keep clear of obstacles");
-  section.number("start_tolerance_m", start_tolerance_m, kNonNegative, "m",
+  section.number("start_tolerance_m", startTolerance_m, kNonNegative, "m",
                  "how far a blocked start may be moved");
-  section.number("goal_tolerance_m", goal_tolerance_m, kNonNegative, "m",
+  section.number("goal_tolerance_m", goalTolerance_m, kNonNegative, "m",
                  "how far a blocked or unreachable goal may be moved");
-  section.flag("allow_unknown", allow_unknown,
+  section.flag("allow_unknown", allowUnknown,
                "plan through unknown cells, at the highest graded cost");
 }
 
@@ -56,13 +56,13 @@ const char* describe(PathResult::Status status) {
 PathResult GlobalPlanner::plan(const CostGrid& grid, const TPoint2D& start, const TPoint2D& goal) {
   if (!covers(grid, start)) return failed(Status::StartOutsideMap);
   if (!covers(grid, goal)) return failed(Status::GoalOutsideMap);
-  terrain_.assign(grid, parameters_.allow_unknown);
+  terrain_.assign(grid, parameters_.allowUnknown);
 
-  const auto from = nearest(grid, start, parameters_.start_tolerance_m, 0);
+  const auto from = nearest(grid, start, parameters_.startTolerance_m, 0);
   if (!from) return failed(Status::StartBlocked);
-  const auto to = nearest(grid, goal, parameters_.goal_tolerance_m, terrain_.region(*from));
+  const auto to = nearest(grid, goal, parameters_.goalTolerance_m, terrain_.region(*from));
   if (!to) {
-    const bool blocked = !nearest(grid, goal, parameters_.goal_tolerance_m, 0);
+    const bool blocked = !nearest(grid, goal, parameters_.goalTolerance_m, 0);
     return failed(blocked ? Status::GoalBlocked : Status::NoPath);
   }
 

@@ -1,4 +1,5 @@
-// Drives through a tiny world for three seconds, with the libraries alone: no files, no program of bslnav.
+// Drives through a tiny world for three seconds, with the libraries alone: no files, no program of
+// bslnav.
 #include <bslnav/evaluation/SimulationRun.h>
 
 #include <cstdio>

@@ -10,13 +10,13 @@
 namespace bslnav {
 
 struct DangerZoneParameters {
-  double shoulder_width_m = 0.5;                 ///< H_w
+  double shoulderWidth_m = 0.5;                 ///< H_w
   double stride_m = 0.8;                         ///< L, what a person needs to stop
   double offset_m = 0.2;                         ///< X_off, margin
   double amplitude = 253.0;                      ///< A
   double scaling_per_m = 1.0;                    ///< S
   double deceleration_mps2 = 0.5;                ///< |a| of the robot
-  double max_bearing_rad = 80.0 * M_PI / 180.0;  ///< limit of |θ^b|, below π/2
+  double maxBearing_rad = 80.0 * M_PI / 180.0;  ///< limit of |θ^b|, below π/2
 
   void describe(ConfigSection& section);
 };
@@ -25,7 +25,7 @@ struct DangerZoneParameters {
  *
  * Centre P^o = (x^b, y^b + H_w·tan θ^b) in the robot frame, radius R^o = v²/(2|a|) + L + X_off. As
  * tan θ^b diverges beside the robot and changes its sign behind it, |θ^b| is limited to
- * max_bearing_rad: the centre is moved away from the robot's axis, never across it, and by
+ * maxBearing_rad: the centre is moved away from the robot's axis, never across it, and by
  * H_w·tan(max_bearing) at most (2.84 m by default).
  * @param speed_mps current speed of the robot; its sign does not matter */
 DangerZone dangerZone(const BlindSpot& blindSpot, const mrpt::math::TPose2D& mapFromRobot,

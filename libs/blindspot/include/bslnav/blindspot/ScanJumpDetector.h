@@ -16,7 +16,7 @@ enum class NoReturn {
 
 struct ScanJumpParameters {
   double threshold_m = 1.0;  ///< Z_th
-  NoReturn no_return = NoReturn::MaxRange;
+  NoReturn noReturn = NoReturn::MaxRange;
 
   void describe(ConfigSection& section);
 };

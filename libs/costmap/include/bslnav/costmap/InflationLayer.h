@@ -42,17 +42,11 @@ class InflationLayer {
 
  private:
   using Squared = std::int16_t;
-  /** The rows at a distance dy to both sides of the one that is computed. */
-  struct RowPair {
-    const Squared *below, *above;
-    Squared dySquared;
-  };
 
   void reserveScratch(const CellWindow& target, int slots);
   void measureRow(const Cost* cells, int first, int last, const CellWindow& target, int slot);
   const Squared* rowOrFar(int slot) const;
-  void collectRows(int slot);
-  void measureColumns(int count);
+  bool measureColumns(int slot, int count);
   void lookUpCosts(int count);
 
   int reach_ = 0;
@@ -63,7 +57,6 @@ class InflationLayer {
   int slots_ = 0;
   std::vector<Squared> inRow_, far_, nearest_;
   std::vector<std::uint8_t> occupied_;  // whether a slot has a lethal cell
-  std::vector<RowPair> rows_;           // that matter to the row that is computed
   std::vector<Cost> rowCosts_;
 };
 

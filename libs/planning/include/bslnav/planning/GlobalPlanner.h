@@ -11,10 +11,10 @@
 namespace bslnav {
 
 struct GlobalPlannerParameters {
-  double cost_weight = 3.0;        ///< a step costs length · (1 + cost_weight · cost/252)
-  double start_tolerance_m = 0.5;  ///< how far a blocked start may be moved
-  double goal_tolerance_m = 0.5;   ///< how far a blocked or unreachable goal may be moved
-  bool allow_unknown = false;      ///< unknown cells are passable, at the highest graded cost
+  double costWeight = 3.0;        ///< a step costs length · (1 + costWeight · cost/252)
+  double startTolerance_m = 0.5;  ///< how far a blocked start may be moved
+  double goalTolerance_m = 0.5;   ///< how far a blocked or unreachable goal may be moved
+  bool allowUnknown = false;      ///< unknown cells are passable, at the highest graded cost
 
   void describe(ConfigSection& section);
 };
@@ -41,7 +41,7 @@ const char* describe(PathResult::Status status);
 class GlobalPlanner {
  public:
   explicit GlobalPlanner(const GlobalPlannerParameters& parameters = {})
-      : parameters_(parameters), astar_(parameters.cost_weight) {}
+      : parameters_(parameters), astar_(parameters.costWeight) {}
 
   /** @param start,goal map frame [m]; not finite counts as outside the map */
   PathResult plan(const CostGrid& grid, const mrpt::math::TPoint2D& start,
