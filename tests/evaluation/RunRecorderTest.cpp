@@ -1,36 +1,15 @@
-#include <bslnav/evaluation/RunRecorder.h>
-
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "EvaluationRig.h"
+#include "RunRecorderFixture.h"
 
 namespace bslnav {
 namespace {
 
-namespace fs = std::filesystem;
-using test::errorOf;
 using test::linesOf;
+using test::RunRecorderTest;
 using test::textOf;
-
-class RunRecorderTest : public testing::Test {
- protected:
-  RunRecorderTest() {
-    setup.bind(config);
-    fs::remove_all(directory);
-  }
-  ~RunRecorderTest() override { fs::remove_all(directory); }
-
-  static std::string nameOfTest() {
-    return testing::UnitTest::GetInstance()->current_test_info()->name();
-  }
-
-  const std::string directory = testing::TempDir() + "/bslnav_recorder_" + nameOfTest() + "/deep";
-  SimulationSetup setup;
-  Config config;
-};
 
 /** Records with every health, motion mode, path status, and with and without candidates. */
 std::vector<CycleRecord> allKindsOfRecords() {
@@ -159,56 +138,6 @@ TEST_F(RunRecorderTest, NamesThatAreNotUtf8DoNotBreakTheSummary) {
   summary.methodName = "caf\xE9";  // Latin-1
   RunRecorder(directory, config).finish(summary);
   EXPECT_EQ(nlohmann::json::parse(textOf(directory + "/summary.json"))["method_name"], "caf\uFFFD");
-}
-
-TEST_F(RunRecorderTest, DirectoryThatCannotBeMadeIsAnErrorOfTheRun) {
-  fs::create_directories(fs::path(directory).parent_path());
-  std::ofstream(directory) << "a file stands in the way";
-  try {
-    RunRecorder recorder(directory, config);
-    FAIL() << "expected an Error";
-  } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), Error::Kind::Run);
-    EXPECT_THAT(error.what(), testing::HasSubstr(directory));
-  }
-}
-
-/** A full disk: the file is /dev/full. */
-class FullDiskTest : public RunRecorderTest {
- protected:
-  void SetUp() override {
-    if (!fs::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
-    fs::create_directories(directory);
-  }
-  void fill(const std::string& file) const {
-    fs::create_symlink("/dev/full", directory + "/" + file);
-  }
-};
-
-TEST_F(FullDiskTest, ConfigurationThatDoesNotFitIsAnErrorNamingTheFile) {
-  fill("config.ini");
-  EXPECT_THAT(errorOf([&] { RunRecorder recorder(directory, config); }),
-              testing::HasSubstr("config.ini"));
-}
-
-TEST_F(FullDiskTest, CyclesThatDoNotFitAreAnErrorNamingTheFile) {
-  fill("cycles.csv");
-  RunRecorder recorder(directory, config);
-  recorder.write({}, {});
-  EXPECT_THAT(errorOf([&] { recorder.finish({}); }), testing::HasSubstr("cycles.csv"));
-}
-
-TEST_F(FullDiskTest, CandidatesThatDoNotFitAreAnErrorNamingTheFile) {
-  fill("candidates.csv");
-  RunRecorder recorder(directory, config);
-  recorder.recordCandidates();
-  EXPECT_THAT(errorOf([&] { recorder.finish({}); }), testing::HasSubstr("candidates.csv"));
-}
-
-TEST_F(FullDiskTest, SummaryThatDoesNotFitIsAnErrorNamingTheFile) {
-  fill("summary.json");
-  RunRecorder recorder(directory, config);
-  EXPECT_THAT(errorOf([&] { recorder.finish({}); }), testing::HasSubstr("summary.json"));
 }
 
 }  // namespace

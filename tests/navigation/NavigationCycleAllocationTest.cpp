@@ -1,14 +1,14 @@
 #include <malloc.h>
 
-#include <atomic>
 #include <cstdlib>
 #include <new>
 
 #include "NavigationCycleRig.h"
 
 namespace {
-std::atomic<long> allocations{0}, liveBlocks{0}, liveBytes{0};
-}
+// Of the thread that runs the cycles: OpenCV's worker threads allocate when they first have work.
+thread_local long allocations = 0, liveBlocks = 0, liveBytes = 0;
+}  // namespace
 
 // Not inlined, or GCC takes malloc and delete for a mismatched pair.
 [[gnu::noinline]] void* operator new(std::size_t size) {

@@ -221,7 +221,7 @@ void ConfigSection::poses(const std::string& key, std::vector<mrpt::math::TPose2
        }});
 }
 
-void ConfigSection::addChoice(const std::string& key, std::vector<std::string> names,
+void ConfigSection::addChoice(const std::string& key, const std::vector<std::string>& names,
                               const std::string& text, std::function<std::size_t()> get,
                               std::function<void(std::size_t)> set) {
   const std::string expected =
@@ -232,8 +232,8 @@ void ConfigSection::addChoice(const std::string& key, std::vector<std::string> n
        expected,
        {},
        text,
-       [names, get] { return names[get()]; },
-       [names, set](const std::string& word) {
+       [names, get = std::move(get)] { return names[get()]; },
+       [names, set = std::move(set)](const std::string& word) {
          const auto found = std::find(names.begin(), names.end(), trimmed(word));
          if (found == names.end()) throw std::invalid_argument("unknown word");
          set(static_cast<std::size_t>(found - names.begin()));

@@ -93,12 +93,14 @@ void InflationLayer::apply(const CostGrid& base, const CellWindow& window, CostG
 
 void InflationLayer::reserveScratch(const CellWindow& target, int slots) {
   stride_ = static_cast<std::size_t>(target.width() + 4 * reach_ + kBlock);
-  slots_ = slots;
-  const auto rows = static_cast<std::size_t>(slots);
-  if (inRow_.size() < rows * stride_) inRow_.resize(rows * stride_);
-  if (occupied_.size() < rows) occupied_.resize(rows);
-  if (far_.size() < stride_)
-    far_.assign(stride_, kFar), nearest_.resize(stride_), rowCosts_.resize(stride_);
+  const std::size_t cells = static_cast<std::size_t>(slots) * stride_;
+  if (inRow_.size() < cells) inRow_.resize(cells);
+  if (far_.size() < stride_) {
+    far_.assign(stride_, kFar);
+    nearest_.resize(stride_);
+    rowCosts_.resize(stride_);
+  }
+  rows_.assign(static_cast<std::size_t>(slots + 2 * reach_), far_.data());
 }
 
 /** For each cell of the target's columns the squared distance to the nearest lethal cell in its
@@ -106,9 +108,9 @@ void InflationLayer::reserveScratch(const CellWindow& target, int slots) {
 void InflationLayer::measureRow(const Cost* cells, int first, int last, const CellWindow& target,
                                 int slot) {
   int x = nextLethal(cells, first, last);
-  occupied_[static_cast<std::size_t>(slot)] = x < last;
   if (x >= last) return;
   Squared* const row = inRow_.data() + static_cast<std::size_t>(slot) * stride_;
+  rows_[static_cast<std::size_t>(slot + reach_)] = row + 2 * reach_;
   std::fill(row, row + stride_, kFar);
   const auto stamp = [&](int lethal) {
     Squared* to = row + (lethal - target.x0 + reach_);
@@ -125,40 +127,34 @@ void InflationLayer::measureRow(const Cost* cells, int first, int last, const Ce
   }
 }
 
-const InflationLayer::Squared* InflationLayer::rowOrFar(int slot) const {
-  const bool has = slot >= 0 && slot < slots_ && occupied_[static_cast<std::size_t>(slot)];
-  return (has ? inRow_.data() + static_cast<std::size_t>(slot) * stride_ : far_.data()) +
-         2 * reach_;
-}
-
 /** Fills nearest_ with the least of in-row distance² + dy² over the rows around a slot; false if
  * there is none. */
 bool InflationLayer::measureColumns(int slot, int count) {
-  const Squared *const far = rowOrFar(-1), *const own = rowOrFar(slot);
-  bool any = own != far;
-  std::memcpy(nearest_.data(), own, static_cast<std::size_t>(count) * sizeof(Squared));
-  for (int dy = 1; dy <= reach_; ++dy) {
-    const Squared *const below = rowOrFar(slot - dy), *const above = rowOrFar(slot + dy);
-    if (below == far && above == far) continue;
+  const Squared* const far = far_.data();
+  const Squared* const* const own = rows_.data() + (slot + reach_);
+  bool any = false;
+  std::fill_n(nearest_.data(), stride_, static_cast<Squared>(costs_.size() - 1));
+  for (int dy = 0; dy <= reach_; ++dy) {
+    if (own[-dy] == far && own[dy] == far) continue;
     any = true;
-    lower(below, above, static_cast<Squared>(dy * dy), nearest_.data(), count);
+    lower(own[-dy], own[dy], static_cast<Squared>(dy * dy), nearest_.data(), count);
   }
   return any;
 }
 
-/** Fills rowCosts_ from nearest_. */
+/** Fills rowCosts_ from nearest_; most blocks of a usual map are far from everything. */
 void InflationLayer::lookUpCosts(int count) {
+  const Cost* const table = costs_.data();
   const auto beyond = static_cast<Squared>(costs_.size() - 1);
   for (int x = 0; x < count; x += kBlock) {
     const Squared* const nearest = nearest_.data() + x;
     Cost* const costs = rowCosts_.data() + x;
-    Squared least = nearest[0];
-    for (int i = 1; i < kBlock; ++i) least = std::min(least, nearest[i]);
-    if (least >= beyond)
+    Squared least = beyond;
+    for (int i = 0; i < kBlock; ++i) least = std::min(least, nearest[i]);
+    if (least == beyond)
       std::fill(costs, costs + kBlock, kFreeCost);
     else
-      for (int i = 0; i < kBlock; ++i)
-        costs[i] = costs_[static_cast<std::size_t>(std::min(nearest[i], beyond))];
+      for (int i = 0; i < kBlock; ++i) costs[i] = table[nearest[i]];
   }
 }
 

@@ -35,7 +35,7 @@ void ObstacleParameters::describe(ConfigSection& section) {
   section.flag("clear_footprint", clearFootprint, "whether marks under the robot are cleared");
 }
 
-ObstacleLayer::Line::Line(const Point& from, const Point& to)
+inline ObstacleLayer::Line::Line(const Point& from, const Point& to)
     : alongX(std::abs(to.x - from.x) >= std::abs(to.y - from.y)) {
   const double major0 = alongX ? from.x : from.y, minor0 = alongX ? from.y : from.x;
   const double major1 = alongX ? to.x : to.y, minor1 = alongX ? to.y : to.x;
@@ -48,9 +48,15 @@ ObstacleLayer::Line::Line(const Point& from, const Point& to)
   slope = toFixed(gradient * step);
 }
 
+inline void ObstacleLayer::Line::skip(int cells) {
+  first += cells * step;
+  row += cells * slope;
+  count -= cells;
+}
+
 /** Drops what lies outside [0, majorSize) × [0, minorSize); what is left is one piece, since a line
  * is straight. */
-void ObstacleLayer::Line::clip(int majorSize, int minorSize) {
+inline void ObstacleLayer::Line::clip(int majorSize, int minorSize) {
   const std::int64_t limit = static_cast<std::int64_t>(minorSize) << kShift;
   while (count > 0 && (first < 0 || first >= majorSize || row < 0 || row >= limit)) skip(1);
   count = std::min(count, step > 0 ? majorSize - first : first + 1);
@@ -59,15 +65,9 @@ void ObstacleLayer::Line::clip(int majorSize, int minorSize) {
   count = static_cast<int>((slope > 0 ? (limit - 1 - row) / slope : row / -slope) + 1);
 }
 
-void ObstacleLayer::Line::skip(int cells) {
-  first += cells * step;
-  row += cells * slope;
-  count -= cells;
-}
-
 /** How many cells from the start on are also cells of `a` or `b`, lines from the same point on both
  * sides of this one: as long as their rows differ by less than 1, there is no third row between. */
-int ObstacleLayer::Line::sharedWith(const Line& a, const Line& b) const {
+inline int ObstacleLayer::Line::sharedWith(const Line& a, const Line& b) const {
   const bool between =
       (a.slope <= slope && slope <= b.slope) || (b.slope <= slope && slope <= a.slope);
   const auto alike = [this](const Line& o) {
@@ -79,6 +79,28 @@ int ObstacleLayer::Line::sharedWith(const Line& a, const Line& b) const {
   const int most = std::min({count, a.count, b.count});
   if (room >= spread * most) return most;
   return std::max(0, static_cast<int>(room / spread));
+}
+
+inline ObstacleLayer::Line ObstacleLayer::lineWithin(const Point& from, const Point& to) const {
+  Line line(from, to);
+  line.clip(line.alongX ? grid_.width() : grid_.height(),
+            line.alongX ? grid_.height() : grid_.width());
+  return line;
+}
+
+inline void ObstacleLayer::clear(const Line& line) {
+  const std::ptrdiff_t stride = grid_.width();
+  Cost* const cells = grid_.row(0);
+  std::int64_t row = line.row;
+  if (line.alongX) {
+    Cost* column = cells + line.first;
+    for (int i = 0; i < line.count; ++i, column += line.step, row += line.slope)
+      column[(row >> kShift) * stride] = kFreeCost;
+  } else {
+    Cost* start = cells + line.first * stride;
+    for (int i = 0; i < line.count; ++i, start += line.step * stride, row += line.slope)
+      start[row >> kShift] = kFreeCost;
+  }
 }
 
 ObstacleLayer::ObstacleLayer(const ObstacleParameters& parameters, const Footprint& footprint,
@@ -132,13 +154,6 @@ CellWindow ObstacleLayer::trace(const mrpt::math::TPose2D& mapFromRobot, const P
           floorToCell(top) + 2};
 }
 
-ObstacleLayer::Line ObstacleLayer::lineWithin(const Point& from, const Point& to) const {
-  Line line(from, to);
-  line.clip(line.alongX ? grid_.width() : grid_.height(),
-            line.alongX ? grid_.height() : grid_.width());
-  return line;
-}
-
 /** Near the sensor many beams visit the same cells. As in a binary tree, each beam leaves out what
  * the two do that are as far away from it as its index has factors of two. */
 void ObstacleLayer::clearAlongLines() {
@@ -149,21 +164,6 @@ void ObstacleLayer::clearAlongLines() {
     if (i > 0 && i + distance < count)
       line.skip(line.sharedWith(lines_[i - distance], lines_[i + distance]));
     clear(line);
-  }
-}
-
-void ObstacleLayer::clear(const Line& line) {
-  const std::ptrdiff_t stride = grid_.width();
-  Cost* const cells = grid_.row(0);
-  std::int64_t row = line.row;
-  if (line.alongX) {
-    Cost* column = cells + line.first;
-    for (int i = 0; i < line.count; ++i, column += line.step, row += line.slope)
-      column[(row >> kShift) * stride] = kFreeCost;
-  } else {
-    Cost* start = cells + line.first * stride;
-    for (int i = 0; i < line.count; ++i, start += line.step * stride, row += line.slope)
-      start[row >> kShift] = kFreeCost;
   }
 }
 

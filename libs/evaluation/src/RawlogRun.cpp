@@ -10,6 +10,17 @@
 namespace bslnav {
 namespace {
 
+/** A scan for MRPT's map, which would take NaN for a range: a beam of length 0 says nothing. */
+mrpt::obs::CObservation2DRangeScan usableScan(const mrpt::obs::CObservation2DRangeScan& scan) {
+  auto usable = scan;
+  for (std::size_t i = 0; i < scan.getScanSize(); ++i) {
+    if (std::isfinite(scan.getScanRange(i)) && scan.getScanRange(i) > 0.0f) continue;
+    usable.setScanRange(i, 0.0f);
+    usable.setScanRangeValidity(i, false);
+  }
+  return usable;
+}
+
 /** The map that the log's own scans give at the localised poses. */
 std::shared_ptr<const mrpt::maps::COccupancyGridMap2D> mapFromLog(const RawlogSetup& setup,
                                                                   const RecordedPath& path) {
@@ -18,7 +29,7 @@ std::shared_ptr<const mrpt::maps::COccupancyGridMap2D> mapFromLog(const RawlogSe
   RawlogReader reader(setup.rawlog.file, setup.rawlog.gap_s);
   for (SensorFrame frame; reader.next(frame);) {
     const mrpt::poses::CPose3D pose(path.poseAt(frame.time_s));
-    for (const auto& scan : frame.scans) map->insertObservation(*scan, pose);
+    for (const auto& scan : frame.scans) map->insertObservation(usableScan(*scan), pose);
   }
   return map;
 }

@@ -83,7 +83,7 @@ void PictureCanvas::fill(const std::vector<PagePoint>& corners, Colour colour, d
 void PictureCanvas::polygon(std::vector<PagePoint> corners, const FillStyle& style) {
   if (corners.empty()) return;
   fill(corners, style.colour, style.opacity);
-  corners.push_back(PagePoint(corners.front()));
+  corners.emplace_back(corners.front());
   if (style.outline_px > 0.0) polyline(corners, {style.colour, style.outline_px, false});
 }
 

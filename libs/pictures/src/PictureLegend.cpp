@@ -82,8 +82,9 @@ void PictureLegend::draw(PictureCanvas& canvas, const PagePoint& topLeft, double
   const Grid grid = entryGrid(width), bars = barGrid(width);
   for (int i = 0; i < static_cast<int>(entries_.size()); ++i) {
     const Entry& entry = entries_[static_cast<std::size_t>(i)];
-    const double x = topLeft.x + (i % grid.columns) * (entryWidth() + kColumnGap);
-    const double y = topLeft.y + (i / grid.columns + 0.5) * kRowHeight;
+    const int row = i / grid.columns, column = i % grid.columns;
+    const double x = topLeft.x + column * (entryWidth() + kColumnGap);
+    const double y = topLeft.y + (row + 0.5) * kRowHeight;
     entry.swatch(canvas, {x + kSwatchWidth / 2.0, y});
     canvas.text({x + kSwatchWidth + kSwatchGap, y + kLabel.capHeight_px / 2.0},
                 elided(entry.label, kLabel, kLongestLabel), kLabel);
@@ -91,10 +92,11 @@ void PictureLegend::draw(PictureCanvas& canvas, const PagePoint& topLeft, double
   const double below = grid.rows > 0 ? grid.rows * kRowHeight + kBarGap : 0.0;
   const PagePoint first = topLeft + (barsBeside(width) ? PagePoint(grid.width + kColumnGap, 0.0)
                                                        : PagePoint(0.0, below));
-  for (int i = 0; i < static_cast<int>(bars_.size()); ++i)
+  for (int i = 0; i < static_cast<int>(bars_.size()); ++i) {
+    const int row = i / bars.columns, column = i % bars.columns;
     drawBar(canvas, bars_[static_cast<std::size_t>(i)],
-            {first.x + (i % bars.columns) * (kBarWidth + kColumnGap),
-             first.y + (i / bars.columns) * kBarHeight});
+            {first.x + column * (kBarWidth + kColumnGap), first.y + row * kBarHeight});
+  }
 }
 
 void PictureLegend::drawBar(PictureCanvas& canvas, const Bar& bar, const PagePoint& topLeft) {

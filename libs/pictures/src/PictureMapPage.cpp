@@ -108,7 +108,7 @@ Picture MapPicture::Page::finished() const {
   const bool below = layout.legendBelow, legendShown = withLegend && !legend.empty();
   const double inner = below ? layout.width - 2.0 * kLegendPad : legend.columnWidth();
   const double legendHeight = legend.height(inner) + 2.0 * kLegendPad;
-  PagePoint corner{double(left), double(pageHeight - kMargin / 2)};
+  PagePoint corner{double(left), pageHeight - 0.5 * kMargin};
   if (legendShown && below) pageHeight += static_cast<int>(legendHeight) + kMargin / 2;
   if (legendShown && !below) {
     corner = {double(pageWidth), double(top)};

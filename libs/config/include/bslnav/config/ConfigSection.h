@@ -64,9 +64,10 @@ class ConfigSection {
   void choice(const std::string& key, Enum& value, std::vector<std::pair<std::string, Enum>> words,
               const std::string& text) {
     std::vector<std::string> names;
+    names.reserve(words.size());
     for (const auto& word : words) names.push_back(word.first);
     addChoice(
-        key, std::move(names), text,
+        key, names, text,
         [&value, words] {
           for (std::size_t i = 0; i < words.size(); ++i)
             if (words[i].second == value) return i;
@@ -81,8 +82,9 @@ class ConfigSection {
 
  private:
   void add(Field field);
-  void addChoice(const std::string& key, std::vector<std::string> names, const std::string& text,
-                 std::function<std::size_t()> get, std::function<void(std::size_t)> set);
+  void addChoice(const std::string& key, const std::vector<std::string>& names,
+                 const std::string& text, std::function<std::size_t()> get,
+                 std::function<void(std::size_t)> set);
 
   std::string name_, description_;
   std::vector<Field> fields_;

@@ -45,7 +45,6 @@ class InflationLayer {
 
   void reserveScratch(const CellWindow& target, int slots);
   void measureRow(const Cost* cells, int first, int last, const CellWindow& target, int slot);
-  const Squared* rowOrFar(int slot) const;
   bool measureColumns(int slot, int count);
   void lookUpCosts(int count);
 
@@ -54,9 +53,8 @@ class InflationLayer {
   std::vector<Squared> stamp_;  // squared distances in a row to a lethal cell in the middle
   // Scratch of one call, reused. A slot is a row of the window and its surroundings.
   std::size_t stride_ = 0;
-  int slots_ = 0;
   std::vector<Squared> inRow_, far_, nearest_;
-  std::vector<std::uint8_t> occupied_;  // whether a slot has a lethal cell
+  std::vector<const Squared*> rows_;  // by slot + reach: in inRow_, or far_ without lethal cells
   std::vector<Cost> rowCosts_;
 };
 
