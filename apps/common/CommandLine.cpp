@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <opencv2/core/utility.hpp>
 
 namespace bslnav {
 namespace {
@@ -50,6 +51,8 @@ void CommonOptions::load(Config& config) const {
 }
 
 int runApp(CLI::App& app, int argc, char** argv, const std::function<int()>& body) {
+  cv::setNumThreads(
+      1);  // its thread pool gains nothing on grids this small, and one core is to be enough
   try {
     app.parse(argc, argv);
     return body();

@@ -1,6 +1,7 @@
 #include <bslnav/config/Error.h>
 #include <bslnav/costmap/MapLoader.h>
 #include <bslnav/evaluation/SimulationSetup.h>
+#include <bslnav/simulation/RandomStream.h>
 #include <bslnav/simulation/StaticMap.h>
 #include <mrpt/random/RandomGenerators.h>
 
@@ -92,7 +93,7 @@ std::shared_ptr<const mrpt::maps::COccupancyGridMap2D> SimulationSetup::makeMap(
 }
 
 SimulationSetup varied(SimulationSetup setup, std::uint64_t seed) {
-  mrpt::random::CRandomGenerator random(static_cast<std::uint32_t>(seed));
+  auto random = randomStream(seed, "variation");
   for (auto& [name, person] : setup.world.pedestrians) {
     const double shift = random.drawUniform(-1.0, 1.0) * setup.scenario.triggerVariation_m;
     for (auto& point : person.triggerLine_m) point.x += shift;

@@ -109,14 +109,14 @@ CycleRecord::Health NavigationCycle::takeOver(const SensorFrame& frame) {
       blind = true;
       continue;
     }
-    const double stamp_s = mrpt::Clock::toDouble(frame.scans[i]->timestamp) - frame.startTime_s;
-    newestScan_s_ = std::max(
-        newestScan_s_, std::min(stamp_s, frame.time_s));  // a stamp ahead must not stay the newest
+    sensors_.heard(frame.scans[i]->sensorLabel,
+                   mrpt::Clock::toDouble(frame.scans[i]->timestamp) - frame.startTime_s,
+                   frame.time_s);
   }
   if (!isFinite(frame.mapFromRobot) || !isFinite(frame.twist)) return CycleRecord::Health::BadPose;
   if (blind) return CycleRecord::Health::NoBeams;
   // Between two scans of a slow sensor the robot goes on with what it knows, until that is stale.
-  if (frame.time_s - newestScan_s_ > parameters_.cycle.sensorMaxAge_s)
+  if (sensors_.oldestAge_s(frame.time_s) > parameters_.cycle.sensorMaxAge_s)
     return CycleRecord::Health::StaleScan;
   return CycleRecord::Health::Ok;
 }

@@ -3,6 +3,7 @@
 #include <bslnav/navigation/CycleRecord.h>
 #include <bslnav/navigation/NavigationParameters.h>
 #include <bslnav/navigation/SensorFrame.h>
+#include <bslnav/navigation/SensorWatch.h>
 
 #include <memory>
 #include <optional>
@@ -57,7 +58,8 @@ class NavigationCycle {
   std::size_t nextGoal_ = 0;
   bool goalsChanged_ = false;
   bool pathCutShort_ = false;  // it ends at the edge of the local map, on the way to the next goal
-  double plannedAt_s_ = 0.0, newestScan_s_ = -1e9;
+  double plannedAt_s_ = 0.0;
+  SensorWatch sensors_;
   std::vector<PlanarScan> scans_, spareScans_;  // spare: buffers of a cycle that had more scans
   CycleRecord record_;
 };

@@ -1,0 +1,24 @@
+#include <bslnav/navigation/SensorWatch.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace bslnav {
+
+void SensorWatch::heard(const std::string& sensor, double stamp_s, double now_s) {
+  const double heard_s = std::min(stamp_s, now_s);
+  for (auto& known : sensors_)
+    if (known.label == sensor) {
+      known.newest_s = std::max(known.newest_s, heard_s);
+      return;
+    }
+  sensors_.push_back({sensor, heard_s});
+}
+
+double SensorWatch::oldestAge_s(double now_s) const {
+  double oldest = sensors_.empty() ? std::numeric_limits<double>::infinity() : 0.0;
+  for (const auto& sensor : sensors_) oldest = std::max(oldest, now_s - sensor.newest_s);
+  return oldest;
+}
+
+}  // namespace bslnav

@@ -1,0 +1,35 @@
+#include <bslnav/navigation/SensorWatch.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace bslnav {
+namespace {
+
+TEST(SensorWatch, HasNoAgeBeforeTheFirstMeasurement) {
+  EXPECT_TRUE(std::isinf(SensorWatch().oldestAge_s(0.0)));
+}
+
+TEST(SensorWatch, NoticesOneSilentSensorWhileAnotherGoesOn) {
+  SensorWatch watch;
+  watch.heard("front", 1.0, 1.0);
+  watch.heard("rear", 1.0, 1.0);
+  watch.heard("front", 2.0, 2.0);
+  EXPECT_DOUBLE_EQ(watch.oldestAge_s(2.5), 1.5);  // the rear one
+}
+
+TEST(SensorWatch, AStampAheadCountsAsNow) {
+  SensorWatch watch;
+  watch.heard("front", 100.0, 1.0);
+  EXPECT_DOUBLE_EQ(watch.oldestAge_s(3.0), 2.0);
+}
+
+TEST(SensorWatch, AnOlderMeasurementDoesNotMakeASensorOlder) {
+  SensorWatch watch;
+  watch.heard("front", 2.0, 2.0);
+  watch.heard("front", 1.0, 2.1);
+  EXPECT_NEAR(watch.oldestAge_s(2.5), 0.5, 1e-12);
+}
+
+}  // namespace
+}  // namespace bslnav
