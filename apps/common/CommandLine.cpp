@@ -28,7 +28,9 @@ void CommonOptions::addTo(CLI::App& app, const std::string& defaultOut) {
                  "section.key=value, overrides the files; may be given several times")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  app.add_option("--seed", seed, "seed of all randomness")->capture_default_str();
+  app.add_option("--seed", seed, "seed of all randomness")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   app.add_option("--out", out, "directory for the results")->capture_default_str();
   app.add_flag("--quiet", quiet, "print errors only");
   app.add_flag("--print-config", printConfig,

@@ -24,7 +24,8 @@ RC_GTEST_PROP(RolloutLaw, EndsWhereTheArcEnds, ()) {
   const RolloutOutcome outcome = rollOut(v, w, setup, grid, circle());
   const TPose2D expected = onArc(setup.start, v, w, setup.horizon_s);
   RC_ASSERT(outcome.end == End::Horizon);
-  RC_ASSERT(std::hypot(outcome.endPoint.x - expected.x, outcome.endPoint.y - expected.y) < 1e-4);
+  RC_ASSERT(std::hypot(outcome.endPoint.x - expected.x, outcome.endPoint.y - expected.y) <
+            3e-4);  // single precision, up to 120 steps
 }
 
 /** The same rollout, step by step with sine and cosine. */
@@ -120,7 +121,8 @@ RC_GTEST_PROP(RolloutLaw, ItsPosesAreThoseOfTheArc, ()) {
   for (int i = 0; i <= steps; ++i) {
     const TPose2D expected = onArc(setup.start, v, w, i * setup.horizon_s / steps);
     const TPose2D pose = poses[static_cast<std::size_t>(i)];
-    RC_ASSERT(std::hypot(pose.x - expected.x, pose.y - expected.y) < 1e-4);
+    RC_ASSERT(std::hypot(pose.x - expected.x, pose.y - expected.y) <
+              3e-4);  // single precision, up to 120 steps
     RC_ASSERT(std::abs(std::remainder(pose.phi - expected.phi, 2 * M_PI)) < 1e-4);
   }
 }

@@ -23,7 +23,8 @@ CostGrid initialGrid(const CostmapParameters& parameters, const std::optional<St
   const double r = parameters.resolution_m;
   const int width = static_cast<int>(std::lround(parameters.width_m / r));
   const int height = static_cast<int>(std::lround(parameters.height_m / r));
-  CostGrid grid(width, height, r, -(width / 2) * r, -(height / 2) * r, kFreeCost);
+  const int left = width / 2, below = height / 2;
+  CostGrid grid(width, height, r, -left * r, -below * r, kFreeCost);
   if (map) map->copyTo(grid, grid.bounds());
   return grid;
 }
@@ -93,7 +94,7 @@ void CostmapParameters::check() const {
 }
 
 LayeredCostmap::LayeredCostmap(const CostmapParameters& parameters, const Footprint& footprint,
-                               std::shared_ptr<const mrpt::maps::COccupancyGridMap2D> map,
+                               const std::shared_ptr<const mrpt::maps::COccupancyGridMap2D>& map,
                                Extent extent)
     : extent_(extent),
       inscribedRadius_m_(footprint.inscribedRadius_m()),

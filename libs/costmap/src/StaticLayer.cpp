@@ -81,6 +81,7 @@ StaticLayer::StaticLayer(const mrpt::maps::COccupancyGridMap2D& map, double reso
 
   const CostGrid cells = thresholded(map, parameters);
   std::vector<Overlap> columns;
+  columns.reserve(static_cast<std::size_t>(grid_.width()));
   for (int x = 0; x < grid_.width(); ++x)
     columns.emplace_back((left + x) * resolution_m, (left + x + 1) * resolution_m, x0, cell);
   for (int y = 0; y < grid_.height(); ++y) {

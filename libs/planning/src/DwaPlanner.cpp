@@ -64,6 +64,8 @@ const DwaResult& DwaPlanner::plan(const DwaInput& input, const CostGrid& costs) 
                    parameters_.allowUnknown, footprint_.reach_m(),  input.goal,
                    input.goalTolerance_m};
   // Rollouts need not overshoot the goal, and the robot does not creep towards it.
+  const Cost goalCost = costs.costAt(input.goal.x, input.goal.y);
+  goalCost_ = goalCost <= kHighestGradedCost ? goalCost : kFreeCost;
   double cap = limits_.maxSpeed_mps;
   if (input.goalTolerance_m > 0.0 && input.stopsAtGoal)
     cap = stoppingSpeed((input.goal - robot).norm(), limits_.deceleration_mps2, controlPeriod_s_);
@@ -98,9 +100,10 @@ void DwaPlanner::evaluate(Candidate& candidate, const CostGrid& costs) const {
     return;
   }
   candidate.verdict = Verdict::Admissible;
+  const Cost unavoidable = rollout.end == RolloutOutcome::End::Goal ? goalCost_ : kFreeCost;
   candidate.terms = {pathDistance_(rollout.endPoint),
                      goalTerm(rollout, candidate.v_mps, result_.setup),
-                     dangerTerm(rollout.highestCost, parameters_.weights),
+                     dangerTerm(rollout.highestCost, unavoidable, parameters_.weights),
                      velocityTerm(candidate.v_mps, parameters_.weights)};
   candidate.total = weighted(candidate.terms, parameters_.weights);
 }

@@ -6,6 +6,10 @@
 namespace bslnav {
 namespace {
 
+// A robot stops badly at the very edge of an obstacle's inscribed cells: a goal that has to be
+// moved goes to a cell of at most half the graded cost, if there is one within the tolerance.
+constexpr Cost kRoomyCost = kHighestGradedCost / 2;
+
 using mrpt::math::TPoint2D;
 using Status = PathResult::Status;
 
@@ -58,11 +62,12 @@ PathResult GlobalPlanner::plan(const CostGrid& grid, const TPoint2D& start, cons
   if (!covers(grid, goal)) return failed(Status::GoalOutsideMap);
   terrain_.assign(grid, parameters_.allowUnknown);
 
-  const auto from = nearest(grid, start, parameters_.startTolerance_m, 0);
+  const auto from = nearest(grid, start, parameters_.startTolerance_m, 0, kUnknownCost);
   if (!from) return failed(Status::StartBlocked);
-  const auto to = nearest(grid, goal, parameters_.goalTolerance_m, terrain_.region(*from));
+  const auto to =
+      nearest(grid, goal, parameters_.goalTolerance_m, terrain_.region(*from), kRoomyCost);
   if (!to) {
-    const bool blocked = !nearest(grid, goal, parameters_.goalTolerance_m, 0);
+    const bool blocked = !nearest(grid, goal, parameters_.goalTolerance_m, 0, kRoomyCost);
     return failed(blocked ? Status::GoalBlocked : Status::NoPath);
   }
 
@@ -79,7 +84,8 @@ PathResult GlobalPlanner::plan(const CostGrid& grid, const TPoint2D& start, cons
 }
 
 std::optional<std::uint32_t> GlobalPlanner::nearest(const CostGrid& grid, const TPoint2D& p,
-                                                    double tolerance_m, int region) const {
+                                                    double tolerance_m, int region,
+                                                    Cost roomy) const {
   const auto accepted = [&](std::uint32_t cell) {
     return terrain_.passable(cell) && (region == 0 || terrain_.region(cell) == region);
   };
@@ -92,15 +98,16 @@ std::optional<std::uint32_t> GlobalPlanner::nearest(const CostGrid& grid, const 
   const CellWindow window =
       CellWindow{x0, y0, x0 + 1, y0 + 1}.grown(reach).intersected(grid.bounds());
   std::optional<std::uint32_t> best;
-  double bestDistance_m = tolerance_m;
+  std::pair<bool, double> bestRank{true, tolerance_m};  // tight, then distance
   for (int y = window.y0; y < window.y1; ++y)
     for (int x = window.x0; x < window.x1; ++x) {
       const std::uint32_t cell = terrain_.index(x, y);
       if (!accepted(cell)) continue;
       const double distance_m = (centre(grid, cell) - p).norm();
-      if (distance_m < bestDistance_m || (!best && distance_m == bestDistance_m)) {
+      const std::pair<bool, double> rank{grid.at(x, y) > roomy, distance_m};
+      if (distance_m <= tolerance_m && (rank < bestRank || (!best && rank == bestRank))) {
         best = cell;
-        bestDistance_m = distance_m;
+        bestRank = rank;
       }
     }
   return best;

@@ -4,7 +4,8 @@
 
 namespace bslnav {
 
-/** A disc in which a person may step out: cost = amplitude · exp(−scaling · distance to the centre), 0 outside (paper, eq. 9). */
+/** A disc in which a person may step out: cost = amplitude · exp(−scaling · distance to the
+ * centre), 0 outside (paper, eq. 9). */
 struct DangerZone {
   mrpt::math::TPoint2D centre;  ///< P^o, map frame [m]
   double radius_m = 0.0;        ///< R^o

@@ -9,8 +9,9 @@ namespace bslnav {
 
 /** The robot's outline seen from above, in the robot frame (x forward, y left; metres). */
 struct Footprint {
-  double radius_m = 0.25;                       ///< used when `polygon` is empty
-  std::vector<mrpt::math::TPoint2D> polygon{};  ///< at least three corners around the origin, or empty for a circle
+  double radius_m = 0.25;  ///< used when `polygon` is empty
+  std::vector<mrpt::math::TPoint2D>
+      polygon{};  ///< at least three corners around the origin, or empty for a circle
 
   void describe(ConfigSection& section);
   /** @throws Error when the polygon has one or two corners, or does not hold the robot's centre. */

@@ -42,7 +42,7 @@ class LayeredCostmap {
   /** @param map may be null for a rolling cost map; it is read once
    *  @throws Error on parameters that do not go together, or Extent::WholeMap without a map */
   LayeredCostmap(const CostmapParameters& parameters, const Footprint& footprint,
-                 std::shared_ptr<const mrpt::maps::COccupancyGridMap2D> map, Extent extent);
+                 const std::shared_ptr<const mrpt::maps::COccupancyGridMap2D>& map, Extent extent);
 
   /** Takes in one cycle: moves with the robot (Rolling), clears and marks, inflates, and adds the
    * danger zones in place of the last cycle's.

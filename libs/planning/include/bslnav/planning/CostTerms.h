@@ -23,7 +23,8 @@ struct CostWeights {
 struct CostTerms {
   double path = 0.0;  ///< c_pos: end point to the global path [m]
   double goal = 0.0;  ///< c_gol: end point to the local goal [m]; negative when it passes the goal
-  double danger = 0.0;    ///< c_dan: highest cost along the rollout / divisor
+  double danger =
+      0.0;  ///< c_dan: highest cost along the rollout / divisor; to the goal: above the goal's own
   double velocity = 0.0;  ///< c_vel: 1/v [s/m]
 };
 
@@ -34,8 +35,10 @@ inline double goalTerm(const RolloutOutcome& rollout, double v_mps, const Rollou
   const mrpt::math::TPoint2D start{setup.start.x, setup.start.y};
   return std::min(0.0, (setup.goal - start).norm() - v_mps * setup.horizon_s);
 }
-inline double dangerTerm(Cost highestCost, const CostWeights& weights) {
-  return highestCost / weights.dangerDivisor;
+/** c_dan. @param unavoidable what the goal's own place costs, for a rollout that ends there; else 0
+ */
+inline double dangerTerm(Cost highestCost, Cost unavoidable, const CostWeights& weights) {
+  return (std::max(highestCost, unavoidable) - unavoidable) / weights.dangerDivisor;
 }
 inline double velocityTerm(double v_mps, const CostWeights& weights) {
   return 1.0 / std::max(v_mps, weights.speedFloor_mps);

@@ -75,6 +75,7 @@ class DwaPlanner {
   double controlPeriod_s_;
   OscillationGuard oscillation_;
   PathDistance pathDistance_;
+  Cost goalCost_ = kFreeCost;  // graded cost of the goal's own cell
   DwaResult result_;
 };
 

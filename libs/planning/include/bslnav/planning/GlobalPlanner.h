@@ -48,10 +48,10 @@ class GlobalPlanner {
                   const mrpt::math::TPoint2D& goal);
 
  private:
-  /** The passable cell of a region (0: of any) nearest to `p`: its own, or one with the centre
-   * within `tolerance_m`. */
+  /** The cell of `p` if it is passable and in a region (0: in any), else the nearest such cell with
+   * its centre within `tolerance_m`; cells of a cost up to `roomy` come before all others. */
   std::optional<std::uint32_t> nearest(const CostGrid& grid, const mrpt::math::TPoint2D& p,
-                                       double tolerance_m, int region) const;
+                                       double tolerance_m, int region, Cost roomy) const;
   mrpt::math::TPoint2D centre(const CostGrid& grid, std::uint32_t cell) const;
 
   GlobalPlannerParameters parameters_;

@@ -128,6 +128,22 @@ TEST(GlobalPlanner, MovesABlockedGoalToTheNearestReachableCell) {
   EXPECT_EQ(result.points.back(), centre(grid, 2, 0));
 }
 
+TEST(GlobalPlanner, MovesABlockedGoalToWhereThereIsRoom) {
+  CostGrid grid(12, 1, 0.1, 0.0, 0.0);
+  grid.at(9, 0) = kLethalCost;
+  grid.at(8, 0) = 200;  // nearest, but above half the graded cost
+  grid.at(7, 0) = 126;
+  GlobalPlannerParameters parameters;
+  parameters.goalTolerance_m = 0.25;
+  const auto result = GlobalPlanner(parameters).plan(grid, centre(grid, 0, 0), centre(grid, 9, 0));
+  ASSERT_EQ(result.status, Status::Found);
+  EXPECT_NEAR(result.points.back().x, 0.75, 1e-9);
+  parameters.goalTolerance_m = 0.15;  // now only the tight cell is within the tolerance
+  EXPECT_NEAR(
+      GlobalPlanner(parameters).plan(grid, centre(grid, 0, 0), centre(grid, 9, 0)).points.back().x,
+      0.85, 1e-9);
+}
+
 TEST(GlobalPlanner, TakesTheLowestOfEquallyNearCells) {
   const CostGrid grid = drawn({"...",  //
                                ".#.",  //

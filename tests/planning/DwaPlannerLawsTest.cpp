@@ -24,7 +24,7 @@ struct Scene {
   TPose2D pose{any(-1.0, 1.0), any(-1.0, 1.0), any(-M_PI, M_PI)};
   mrpt::math::TTwist2D twist = test::anyTwist(limits);
   std::vector<TPoint2D> path = test::straightPath(2.5);
-  TPoint2D goal{2.0, 0.0};
+  TPoint2D goal{2.025, 0.025};  // the middle of a cell
 
   Scene() {
     parameters.speedSamples = 8;
@@ -32,6 +32,7 @@ struct Scene {
     parameters.allowUnknown = *rc::gen::arbitrary<bool>();
     parameters.weights.velocity = *rc::gen::element(0.0, 0.5);
   }
+  Cost goalCost() const { return test::inflated(base, inflation).costAt(goal.x, goal.y); }
   DwaResult plan() const {
     DwaPlanner planner(parameters, limits, FootprintCover(footprint, 0.05, inflation), kPeriod_s);
     return planner.plan({pose, twist, path, goal, 0.1}, test::inflated(base, inflation));
@@ -56,9 +57,11 @@ RC_GTEST_PROP(DwaPlannerLaw, CommandsStayInTheWindowAndTheLimits, ()) {
 RC_GTEST_PROP(DwaPlannerLaw, AnotherObstacleAdmitsNothingAndLowersNoDanger, ()) {
   Scene scene;
   const DwaResult before = scene.plan();
+  const Cost goalCost = scene.goalCost();
   const int x = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(20, 100));
   const int y = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(20, 100));
   scene.base.at(x, y) = kLethalCost;
+  RC_PRE(scene.goalCost() == goalCost);  // the goal's own cost is no danger to a rollout to it
   const DwaResult after = scene.plan();
   int worse = 0;
   for (std::size_t i = 0; i < before.candidates.size(); ++i) {
