@@ -1,5 +1,6 @@
 #include "SummaryTable.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <ostream>
 
@@ -16,6 +17,12 @@ std::string orDash(const char* format, const std::optional<double>& value) {
   return value ? text(format, *value) : std::string("-");
 }
 
+/** In contact a clearance may come out a little negative, by what was driven in one step of the
+ * simulator. */
+std::optional<double> notBelowZero(const std::optional<double>& value) {
+  return value ? std::optional<double>(std::max(0.0, *value)) : value;
+}
+
 }  // namespace
 
 void printSummary(std::ostream& out, const std::string& name, const RunSummary& s,
@@ -29,7 +36,7 @@ void printSummary(std::ostream& out, const std::string& name, const RunSummary& 
       {"time to goal", orDash("%.1f s", s.timeToGoal_s)},
       {"path", text("%.2f m", s.pathLength_m) + text(", mean %.2f m/s", s.meanSpeed_mps) +
                    text(", stopped %.1f s", s.timeStopped_s)},
-      {"nearest person", orDash("%.2f m", s.minClearance_m)},
+      {"nearest person", orDash("%.2f m", notBelowZero(s.minClearance_m))},
       {"impact speed", orDash("%.2f m/s", s.impactSpeed_mps)},
       {"blind spots", text("%.1f a cycle", s.blindSpotsMean)},
       {"cycle", text("%.2f ms median", s.cycle_ms.p50) + text(", %.2f ms 99 %%", s.cycle_ms.p99) +
