@@ -38,8 +38,7 @@ void CommonOptions::addTo(CLI::App& app, const std::string& defaultOut) {
 }
 
 std::string methodFile(int method) {
-  const std::string file =
-      dataDirectory() + "/config/methods/method" + std::to_string(method) + ".ini";
+  std::string file = dataDirectory() + "/config/methods/method" + std::to_string(method) + ".ini";
   if (!std::filesystem::exists(file))
     throw Error("--method " + std::to_string(method),
                 "no such method; expected a number with a file " + file);

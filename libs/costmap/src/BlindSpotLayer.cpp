@@ -28,7 +28,8 @@ struct Span {
 /** 2^−t for 0 <= t <= 120 to 3e-7, in operations that compilers turn into vector code: 2^(i + f),
  * |f| <= 1/2, by Taylor. */
 inline float halved(float t) {
-  const auto i = static_cast<std::int32_t>(t + 0.5f);
+  constexpr float kHalf = 0.5f;
+  const auto i = static_cast<std::int32_t>(t + kHalf);  // rounds, since t >= 0
   const float u = (static_cast<float>(i) - t) * 0.69314718f;
   const float p =
       1.0f + u * (1.0f + u * (0.5f + u * (1.0f / 6 +

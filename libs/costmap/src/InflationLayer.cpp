@@ -92,7 +92,8 @@ void InflationLayer::apply(const CostGrid& base, const CellWindow& window, CostG
 }
 
 void InflationLayer::reserveScratch(const CellWindow& target, int slots) {
-  stride_ = static_cast<std::size_t>(target.width() + 4 * reach_ + kBlock);
+  const int stride = target.width() + 4 * reach_ + kBlock, rows = slots + 2 * reach_;
+  stride_ = static_cast<std::size_t>(stride);
   const std::size_t cells = static_cast<std::size_t>(slots) * stride_;
   if (inRow_.size() < cells) inRow_.resize(cells);
   if (far_.size() < stride_) {
@@ -100,7 +101,7 @@ void InflationLayer::reserveScratch(const CellWindow& target, int slots) {
     nearest_.resize(stride_);
     rowCosts_.resize(stride_);
   }
-  rows_.assign(static_cast<std::size_t>(slots + 2 * reach_), far_.data());
+  rows_.assign(static_cast<std::size_t>(rows), far_.data());
 }
 
 /** For each cell of the target's columns the squared distance to the nearest lethal cell in its
@@ -110,7 +111,8 @@ void InflationLayer::measureRow(const Cost* cells, int first, int last, const Ce
   int x = nextLethal(cells, first, last);
   if (x >= last) return;
   Squared* const row = inRow_.data() + static_cast<std::size_t>(slot) * stride_;
-  rows_[static_cast<std::size_t>(slot + reach_)] = row + 2 * reach_;
+  const int place = slot + reach_, margin = 2 * reach_;
+  rows_[static_cast<std::size_t>(place)] = row + margin;
   std::fill(row, row + stride_, kFar);
   const auto stamp = [&](int lethal) {
     Squared* to = row + (lethal - target.x0 + reach_);

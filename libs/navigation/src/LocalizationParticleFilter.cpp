@@ -128,8 +128,9 @@ struct ParticleFilterLocalization::Filter {
 };
 
 ParticleFilterLocalization::ParticleFilterLocalization(
-    const ParticleFilterParameters& parameters, std::shared_ptr<const COccupancyGridMap2D> map,
-    const TPose2D& initialPose, std::uint32_t seed)
+    const ParticleFilterParameters& parameters,
+    const std::shared_ptr<const COccupancyGridMap2D>& map, const TPose2D& initialPose,
+    std::uint32_t seed)
     : filter_(std::make_unique<Filter>()) {
   checkInside(*map, initialPose);
   mrpt::random::getRandomGenerator().randomize(seed);

@@ -28,7 +28,7 @@ bool isFinite(const mrpt::math::TTwist2D& t) {
 }  // namespace
 
 NavigationCycle::NavigationCycle(const NavigationParameters& parameters,
-                                 std::shared_ptr<const mrpt::maps::COccupancyGridMap2D> map)
+                                 const std::shared_ptr<const mrpt::maps::COccupancyGridMap2D>& map)
     : parameters_(parameters),
       local_(parameters.costmap, parameters.footprint, map, Extent::Rolling),
       scanJumps_(parameters.scanJumps),

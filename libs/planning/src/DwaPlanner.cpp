@@ -52,8 +52,8 @@ DwaPlanner::DwaPlanner(const DwaParameters& parameters, const RobotLimits& limit
       footprint_(footprint),
       controlPeriod_s_(controlPeriod_s),
       oscillation_(parameters.oscillation) {
-  result_.candidates.resize(
-      static_cast<std::size_t>(parameters.speedSamples * parameters.yawRateSamples));
+  const int count = parameters.speedSamples * parameters.yawRateSamples;
+  result_.candidates.resize(static_cast<std::size_t>(count));
 }
 
 const DwaResult& DwaPlanner::plan(const DwaInput& input, const CostGrid& costs) {

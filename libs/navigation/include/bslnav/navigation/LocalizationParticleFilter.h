@@ -49,7 +49,7 @@ class ParticleFilterLocalization : public Localization {
    *  @param initialPose in the map, at the first frame
    *  @throws Error when the initial pose is outside the map */
   ParticleFilterLocalization(const ParticleFilterParameters& parameters,
-                             std::shared_ptr<const mrpt::maps::COccupancyGridMap2D> map,
+                             const std::shared_ptr<const mrpt::maps::COccupancyGridMap2D>& map,
                              const mrpt::math::TPose2D& initialPose, std::uint32_t seed);
   ~ParticleFilterLocalization() override;
 

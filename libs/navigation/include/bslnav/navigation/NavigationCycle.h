@@ -21,7 +21,7 @@ class NavigationCycle {
  public:
   /** @param map static map, or null to plan on what the sensors have seen */
   NavigationCycle(const NavigationParameters& parameters,
-                  std::shared_ptr<const mrpt::maps::COccupancyGridMap2D> map);
+                  const std::shared_ptr<const mrpt::maps::COccupancyGridMap2D>& map);
 
   /** Drives through these poses, map frame; the robot stops at the last one and takes up its
    * heading. */
