@@ -1,11 +1,14 @@
 // Compares methods over many seeds of one scenario.
 #include <bslnav/config/Error.h>
+#include <bslnav/config/Version.h>
 #include <bslnav/evaluation/RunRecorder.h>
 #include <bslnav/evaluation/SeedTable.h>
 #include <bslnav/evaluation/SimulationRun.h>
 
 #include <filesystem>
 #include <iostream>
+#include <set>
+#include <sstream>
 
 #include "CommandLine.h"
 
@@ -22,7 +25,22 @@ void load(SimulationSetup& setup, Config& config, CommonOptions options, int met
 
 int compare(const CommonOptions& options, const std::vector<int>& methods, int runs) {
   if (options.configs.empty())
-    throw Error("bslnav-experiment seeds", "no configuration; see --help");
+    throw Error("CONFIG",
+                "no configuration; expected bslnav-experiment seeds CONFIG.ini, see --help");
+  if (std::set<int>(methods.begin(), methods.end()).size() != methods.size())
+    throw Error("--methods", "expected each method once");
+  std::error_code problem;
+  std::filesystem::create_directories(options.out, problem);
+  if (problem) throw Error(options.out, "cannot be made: " + problem.message(), Error::Kind::Run);
+  for (const int method : methods) {
+    SimulationSetup setup;
+    Config config;
+    load(setup, config, options, method);
+    std::ostringstream ini;
+    config.print(ini);
+    writeFile(options.out + "/config-method" + std::to_string(method) + ".ini", ini.str());
+  }
+
   SeedTable table;
   listenForInterrupts();
   for (int i = 0; i < runs && !interrupted(); ++i)
@@ -38,7 +56,6 @@ int compare(const CommonOptions& options, const std::vector<int>& methods, int r
     }
   showProgress("", options.quiet);
 
-  std::filesystem::create_directories(options.out);
   writeFile(options.out + "/results.csv", table.csv());
   writeFile(options.out + "/table.md", table.markdown());
   if (!options.quiet)
@@ -53,6 +70,7 @@ int main(int argc, char** argv) {
   app.footer(
       "Example:\n  bslnav-experiment seeds config/scenarios/s1.ini --methods 1 2 --runs 17 --out "
       "out/s1-seeds");
+  app.set_version_flag("--version", version());
   app.require_subcommand(1);
   CLI::App* seeds = app.add_subcommand("seeds",
                                        "runs each method over the same seeds: trigger lines and "

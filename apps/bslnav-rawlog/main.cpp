@@ -11,12 +11,12 @@
 
 namespace {
 
-int evaluate(const bslnav::CommonOptions& options, const std::string& rawlog,
-             const std::string& map) {
+int evaluate(bslnav::CommonOptions options, const std::string& rawlog, const std::string& map) {
   using namespace bslnav;
   RawlogSetup setup;
   Config config;
   setup.bind(config);
+  if (options.configs.empty()) options.configs = {dataDirectory() + "/config/rawlog.ini"};
   options.load(config);
   if (!rawlog.empty()) setup.rawlog.file = rawlog;
   if (!map.empty()) setup.rawlog.map = map;

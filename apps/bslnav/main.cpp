@@ -22,7 +22,7 @@ int drive(const bslnav::CommonOptions& options) {
     return 0;
   }
   if (options.configs.empty())
-    throw Error("bslnav", "no configuration; expected bslnav CONFIG.ini, see --help");
+    throw Error("CONFIG", "no configuration; expected bslnav CONFIG.ini, see --help");
   setup.check();
   const auto map = setup.makeMap();
 

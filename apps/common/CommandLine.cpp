@@ -28,8 +28,15 @@ void CommonOptions::addTo(CLI::App& app, const std::string& defaultOut) {
                  "section.key=value, overrides the files; may be given several times")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  const CLI::Validator wholeNumber(
+      [](const std::string& word) {
+        const bool digits = word.find_first_not_of("0123456789") == std::string::npos;
+        return digits && word.size() < 19 ? std::string()
+                                          : "expected a whole number from 0, not " + word;
+      },
+      "");
   app.add_option("--seed", seed, "seed of all randomness")
-      ->check(CLI::NonNegativeNumber)
+      ->check(wholeNumber)
       ->capture_default_str();
   app.add_option("--out", out, "directory for the results")->capture_default_str();
   app.add_flag("--quiet", quiet, "print errors only");
@@ -47,7 +54,7 @@ std::string methodFile(int method) {
 
 void CommonOptions::load(Config& config) const {
   std::vector<std::string> files = configs;
-  if (method != 0) files.push_back(methodFile(method));
+  if (method) files.push_back(methodFile(*method));
   config.load(files, overrides);
 }
 

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,7 @@ namespace bslnav {
 struct CommonOptions {
   std::vector<std::string> configs;
   std::vector<std::string> overrides;
-  int method = 0;  ///< 0: as the configuration says
+  std::optional<int> method;  ///< none: as the configuration says
   std::uint64_t seed = 1;
   std::string out;
   bool quiet = false, printConfig = false;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <iomanip>
 #include <ostream>
 
 namespace bslnav {
@@ -23,33 +24,57 @@ std::optional<double> notBelowZero(const std::optional<double>& value) {
   return value ? std::optional<double>(std::max(0.0, *value)) : value;
 }
 
+using Rows = std::vector<std::pair<const char*, std::string>>;
+
+/** What only a driven run has. */
+void addDriven(const RunSummary& s, Rows& rows) {
+  rows.emplace_back("outcome", s.reason.empty()
+                                   ? nameOf(s.outcome)
+                                   : std::string(nameOf(s.outcome)) + " (" + s.reason + ")");
+  rows.emplace_back("time to goal", orDash("%.1f s", s.timeToGoal_s) +
+                                        (s.goalMoved ? " (to the nearest reachable place)" : ""));
+  rows.emplace_back("path", text("%.2f m", s.pathLength_m) +
+                                text(", mean %.2f m/s", s.meanSpeed_mps) +
+                                text(", stopped %.1f s", s.timeStopped_s));
+  rows.emplace_back("nearest person", orDash("%.2f m", notBelowZero(s.minClearance_m)));
+  rows.emplace_back("impact speed", orDash("%.2f m/s", s.impactSpeed_mps));
+}
+
+/** What only an offline evaluation has. */
+void addEvaluated(const RunSummary& s, const RawlogFindings& f, Rows& rows) {
+  rows.emplace_back("evaluated", std::to_string(s.cycles) + " scans" +
+                                     (s.reason.empty() ? std::string() : "; " + s.reason));
+  rows.emplace_back("recorded",
+                    text("%.1f s", f.recorded_s) + text(", %.1f m", f.recordedPath_m) +
+                        text(", %.1f %% of the beams unusable", f.unusableBeams_percent));
+  rows.emplace_back("localisation", text("%.3f m mean spread", f.meanSpread_m));
+  rows.emplace_back(
+      "planner",
+      text("%.2f m/s", f.speedDifferenceMean_mps) +
+          text(" and %.2f rad/s from the recording in the mean,", f.yawRateDifferenceMean_radps) +
+          text(" slower in %.0f %% of the cycles", f.slowerThanRecorded_percent));
+  rows.emplace_back("speed", text("%.0f times faster than the recording", f.recorded_s / f.wall_s));
+}
+
 }  // namespace
 
 void printSummary(std::ostream& out, const std::string& name, const RunSummary& s,
                   const std::string& directory, const std::vector<std::string>& pictures) {
-  const std::string outcome =
-      s.reason.empty() ? nameOf(s.outcome) : std::string(nameOf(s.outcome)) + " (" + s.reason + ")";
-  const std::pair<const char*, std::string> rows[] = {
-      {"method",
-       std::to_string(s.method) + " (" + s.methodName + "), seed " + std::to_string(s.seed)},
-      {"outcome", outcome},
-      {"time to goal", orDash("%.1f s", s.timeToGoal_s)},
-      {"path", text("%.2f m", s.pathLength_m) + text(", mean %.2f m/s", s.meanSpeed_mps) +
-                   text(", stopped %.1f s", s.timeStopped_s)},
-      {"nearest person", orDash("%.2f m", notBelowZero(s.minClearance_m))},
-      {"impact speed", orDash("%.2f m/s", s.impactSpeed_mps)},
-      {"blind spots", text("%.1f a cycle", s.blindSpotsMean)},
-      {"cycle", text("%.2f ms median", s.cycle_ms.p50) + text(", %.2f ms 99 %%", s.cycle_ms.p99) +
-                    text(", %.2f ms max", s.cycle_ms.max)},
-  };
+  Rows rows{{"method",
+             std::to_string(s.method) + " (" + s.methodName + "), seed " + std::to_string(s.seed)}};
+  if (s.rawlog)
+    addEvaluated(s, *s.rawlog, rows);
+  else
+    addDriven(s, rows);
+  rows.emplace_back("blind spots", text("%.1f a cycle", s.blindSpotsMean));
+  rows.emplace_back("cycle", text("%.2f ms median", s.cycle_ms.p50) +
+                                 text(", %.2f ms 99 %%", s.cycle_ms.p99) +
+                                 text(", %.2f ms max", s.cycle_ms.max));
+  rows.emplace_back("files", directory + "/{summary.json,cycles.csv,config.ini}");
+  for (const auto& picture : pictures) rows.emplace_back("picture", picture);
   out << name << '\n';
-  for (const auto& [label, value] : rows) {
-    char line[256];
-    std::snprintf(line, sizeof line, "  %-15s %s\n", label, value.c_str());
-    out << line;
-  }
-  out << "  files           " << directory << "/{summary.json,cycles.csv,config.ini}\n";
-  for (const auto& picture : pictures) out << "  picture         " << picture << '\n';
+  for (const auto& [label, value] : rows)
+    out << "  " << std::left << std::setw(16) << label << value << '\n';
 }
 
 std::string progressLine(const CycleRecord& record) {

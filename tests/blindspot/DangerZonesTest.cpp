@@ -106,14 +106,12 @@ TEST(DangerZoneParameters, LoadWithUnitsInTheirKeys) {
   Config config;
   config.bind("danger", "danger zones", parameters);
   config.load({}, {"danger.shoulder_width_m=0.6", "danger.stride_m=0.7", "danger.offset_m=0.1",
-                   "danger.amplitude=100", "danger.scaling_per_m=2", "danger.deceleration_mps2=0.4",
-                   "danger.max_bearing_deg=60"});
+                   "danger.amplitude=100", "danger.scaling_per_m=2", "danger.max_bearing_deg=60"});
   EXPECT_EQ(parameters.shoulderWidth_m, 0.6);
   EXPECT_EQ(parameters.stride_m, 0.7);
   EXPECT_EQ(parameters.offset_m, 0.1);
   EXPECT_EQ(parameters.amplitude, 100.0);
   EXPECT_EQ(parameters.scaling_per_m, 2.0);
-  EXPECT_EQ(parameters.deceleration_mps2, 0.4);
   EXPECT_NEAR(parameters.maxBearing_rad, 60.0 * kDegree, 1e-12);
 }
 

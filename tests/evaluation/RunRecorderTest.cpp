@@ -64,7 +64,7 @@ TEST_F(RunRecorderTest, CycleRowTellsPoseVelocityCommandAndReason) {
   recorder.finish({});
   EXPECT_EQ(linesOf(directory + "/cycles.csv")[1],
             "3,0.300,1.0000,-2.0000,0.50000,1.5000,-2.5000,0.75000,0.2500,-0.12500,0.3000,0.10000,"
-            "follow,ok,no admissible velocity,683,5,2,1,40,,,,,,");
+            "follow,ok,no admissible velocity,683,5,2,1,40,,,,,,,,");
 }
 
 TEST_F(RunRecorderTest, CandidatesHaveOneRowEach) {

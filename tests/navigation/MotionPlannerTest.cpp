@@ -34,7 +34,7 @@ class MotionPlannerTest : public testing::Test {
     inflation.apply(base, base.bounds(), costs);
   }
   Motion step() {
-    const Motion motion = planner.step({time_s, pose, twist, path, goal}, costs);
+    const Motion motion = planner.step({time_s, pose, twist, twist, path, goal}, costs);
     const TTwist2D allowed = limited(motion.command, twist, kLimits, kPeriod_s);
     EXPECT_NEAR(motion.command.vx, allowed.vx, 1e-9);
     EXPECT_NEAR(motion.command.omega, allowed.omega, 1e-9);
@@ -153,6 +153,15 @@ TEST_F(LongRobotTest, DoesNotBackOffIntoAPoleBehindItsTail) {
     step();
     ASSERT_GT(clearance(costs, {pose.x, pose.y}, 1.0), nearest - 0.05);
   }
+}
+
+TEST_F(MotionPlannerTest, ComesBackWhenItStoppedBeyondTheGoal) {
+  drawPath(2.0, 0.0);
+  pose.x = 1.95;
+  twist.vx = 0.5;  // stops 0.25 m on, beyond the tolerance of 0.1 m
+  EXPECT_EQ(step().mode, MotionMode::StopAtGoal);
+  ASSERT_TRUE(driveUntil(MotionMode::Arrived, 40.0));
+  EXPECT_LE(std::hypot(pose.x - goal.x, pose.y - goal.y), 0.1 + 1e-9);
 }
 
 TEST(Clearance, IsTheDistanceToTheNearestLethalCellUpToALimit) {

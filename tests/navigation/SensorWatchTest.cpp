@@ -18,6 +18,16 @@ TEST(SensorWatch, NoticesOneSilentSensorWhileAnotherGoesOn) {
   EXPECT_DOUBLE_EQ(watch.oldestAge_s(2.5), 1.5);  // the rear one
 }
 
+TEST(SensorWatch, AnExpectedSensorThatNeverDeliversStaysInfinitelyOld) {
+  SensorWatch watch;
+  watch.expect("front");
+  watch.expect("rear");
+  watch.heard("front", 1.0, 1.0);
+  EXPECT_TRUE(std::isinf(watch.oldestAge_s(1.0)));
+  watch.heard("rear", 1.0, 1.0);
+  EXPECT_DOUBLE_EQ(watch.oldestAge_s(1.5), 0.5);
+}
+
 TEST(SensorWatch, AStampAheadCountsAsNow) {
   SensorWatch watch;
   watch.heard("front", 100.0, 1.0);

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <deque>
+
 #include "DwaGenerators.h"
 
 namespace bslnav {
@@ -24,6 +26,33 @@ TEST(RobotLimits, ReversesWithTheAccelerationInWhatIsLeftOfThePeriodAfterTheStop
   EXPECT_DOUBLE_EQ(limited({-1.0, 0.0, 0.0}, {0.05, 0.0, 0.0}, kLimits, kPeriod_s).vx, -0.0375);
   EXPECT_DOUBLE_EQ(limited({1.0, 0.0, 0.0}, {-0.05, 0.0, 0.0}, kLimits, kPeriod_s).vx, 0.0375);
   EXPECT_DOUBLE_EQ(limited({-1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, kLimits, kPeriod_s).vx, -0.05);
+}
+
+TEST(RobotLimits, CommandsGoOnFromTheLastOneAsFarAsTheBaseMayTrailIt) {
+  RobotLimits limits;  // 0.5 m/s^2 and 2 rad/s^2 for 0.3 s: 0.15 m/s and 0.6 rad/s
+  const auto near = commandBase({0.3, 0.0, 0.5}, {0.4, 0.0, 0.0}, limits);
+  EXPECT_DOUBLE_EQ(near.vx, 0.4);
+  EXPECT_DOUBLE_EQ(near.omega, 0.0);
+  const auto far = commandBase({0.0, 0.0, -1.0}, {0.5, 0.0, 1.0}, limits);
+  EXPECT_DOUBLE_EQ(far.vx, 0.15);
+  EXPECT_DOUBLE_EQ(far.omega, -0.4);
+}
+
+TEST(RobotLimits, ABaseThatFollowsLateStopsWithinItsLatencyAndItsBrakingDistance) {
+  const RobotLimits limits;
+  TTwist2D last{0.5, 0.0, 0.0};
+  std::deque<TTwist2D> onTheWay{last, last};  // two periods of 0.1 s
+  double distance_m = 0.0;
+  for (int i = 0; i < 40; ++i) {
+    const TTwist2D measured = onTheWay.front();
+    distance_m += 0.1 * measured.vx;
+    onTheWay.pop_front();
+    last = brake(commandBase(measured, last, limits), limits, 0.1);
+    onTheWay.push_back(last);
+  }
+  EXPECT_EQ(last.vx, 0.0);
+  // 0.5 m/s * 0.2 s + (0.5 m/s)^2 / (2 * 0.5 m/s^2) = 0.35 m, and at most one period more
+  EXPECT_LE(distance_m, 0.35 + 0.05);
 }
 
 TEST(RobotLimits, TurnsByTheYawAcceleration) {

@@ -15,8 +15,6 @@ void DangerZoneParameters::describe(ConfigSection& section) {
                  "cost at the centre (A); the cost map caps it at 252");
   section.number("scaling_per_m", scaling_per_m, kNonNegative, "1/m",
                  "how fast the cost falls with the distance (S)");
-  section.number("deceleration_mps2", deceleration_mps2, kPositive, "m/s^2",
-                 "deceleration of the braking robot (|a|)");
   section.angle("max_bearing_deg", maxBearing_rad, {0.0, 89.0},
                 "limit of the bearing of a blind spot, whose tangent moves the centre");
 }

@@ -9,7 +9,8 @@ void PlanarScan::assign(const mrpt::obs::CObservation2DRangeScan& scan, double m
   const bool upsideDown = std::cos(scan.sensorPose.roll()) < 0.0;
   const bool counterclockwise = scan.rightToLeft != upsideDown;
   robotFromSensor_ = {scan.sensorPose.x(), scan.sensorPose.y(), scan.sensorPose.yaw()};
-  maxRange_m_ = maxRange_m > 0.0 ? maxRange_m : scan.maxRange;
+  const double own_m = scan.maxRange;
+  maxRange_m_ = maxRange_m > 0.0 && (own_m <= 0.0 || maxRange_m < own_m) ? maxRange_m : own_m;
   hits_ = dropped_ = 0;
   for (auto* values : {&range_m, &cosine, &sine}) values->resize(n);
   beam.resize(n);

@@ -143,16 +143,17 @@ RunSummary evaluateLog(const RawlogSetup& setup, const LocalizedLog& log, std::u
                 frame.afterGap ? 0.0 : frame.time_s - last_s);
     last_s = frame.time_s;
     comparison.add(record);
+    findings.wall_s += watch.Tac();
     if (observer &&
         !observer({record, cycle, frame.time_s / std::max(1e-9, log.findings.recorded_s)})) {
       summary.outcome = Outcome::Error;
       summary.reason = "interrupted";
       break;
     }
+    watch.Tic();  // what the observer draws is not counted
   }
   metrics.finish(summary);
   comparison.finish(findings);
-  findings.wall_s += watch.Tac();
   summary.duration_s = last_s;
   summary.rawlog = std::move(findings);
   return summary;

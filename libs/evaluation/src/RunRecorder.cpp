@@ -19,7 +19,8 @@ constexpr const char* kCyclesHeader =
     "cycle,time_s,x_m,y_m,heading_rad,true_x_m,true_y_m,true_heading_rad,speed_mps,yaw_rate_radps,"
     "command_speed_mps,command_yaw_rate_radps,mode,health,reason,beams,dropped_beams,blind_spots,"
     "replanned,path_points,"
-    "candidates_admissible,c_pos_m,c_gol_m,c_dan,c_vel_spm,cost\n";
+    "candidates_admissible,chosen_speed_mps,chosen_yaw_rate_radps,c_pos_m,c_gol_m,c_dan,c_vel_spm,"
+    "cost\n";
 constexpr const char* kCandidatesHeader =
     "cycle,speed_mps,yaw_rate_radps,verdict,c_pos_m,c_gol_m,c_dan,c_vel_spm,cost\n";
 
@@ -34,14 +35,14 @@ std::string row(const char* format, ...) {
 }
 
 std::string chosenCandidate(const CycleRecord& record) {
-  if (!record.motion.planned) return ",,,,,";
+  if (!record.motion.planned) return ",,,,,,,";
   int admissible = 0;
   for (const Candidate& c : record.dwa.candidates)
     admissible += c.verdict == Candidate::Verdict::Admissible;
-  if (record.dwa.best < 0) return row("%d,,,,,", admissible);
+  if (record.dwa.best < 0) return row("%d,,,,,,,", admissible);
   const Candidate& best = record.dwa.candidates[static_cast<std::size_t>(record.dwa.best)];
-  return row("%d,%.4f,%.4f,%.4f,%.4f,%.4f", admissible, best.terms.path, best.terms.goal,
-             best.terms.danger, best.terms.velocity, best.total);
+  return row("%d,%.4f,%.5f,%.4f,%.4f,%.4f,%.4f,%.4f", admissible, best.v_mps, best.w_radps,
+             best.terms.path, best.terms.goal, best.terms.danger, best.terms.velocity, best.total);
 }
 
 Json orNull(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
@@ -76,6 +77,7 @@ Json toJson(const RunSummary& s) {
             {"at_fault", s.atFault},
             {"impact_speed_mps", orNull(s.impactSpeed_mps)},
             {"min_clearance_m", orNull(s.minClearance_m)},
+            {"goal_moved", s.goalMoved},
             {"time_stopped_s", s.timeStopped_s},
             {"blind_spots_mean", s.blindSpotsMean},
             {"cycles", s.cycles},

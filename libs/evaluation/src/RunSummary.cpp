@@ -40,6 +40,7 @@ void Metrics::add(const CycleRecord& record, const mrpt::math::TPoint2D& positio
   blocked_ += record.motion.blocked;
   unhealthy_ += record.health != CycleRecord::Health::Ok;
   droppedBeams_ += record.droppedBeams;
+  goalMoved_ = record.goalMoved;
   blindSpots_ += static_cast<double>(record.blindSpots.size());
   times_.push_back(record.times);
 }
@@ -49,6 +50,7 @@ void Metrics::finish(RunSummary& summary) const {
   summary.blockedCycles = blocked_;
   summary.unhealthyCycles = unhealthy_;
   summary.droppedBeams = droppedBeams_;
+  summary.goalMoved = goalMoved_;
   summary.pathLength_m = path_m_;
   summary.meanSpeed_mps = time_s_ > 0.0 ? path_m_ / time_s_ : 0.0;
   summary.timeStopped_s = stopped_s_;

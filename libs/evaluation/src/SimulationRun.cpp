@@ -84,6 +84,7 @@ RunSummary runSimulation(const SimulationSetup& setup, std::uint64_t seed,
   const auto localization = makeLocalization(setup, map, seed);
   NavigationCycle cycle(setup.navigation, map);
   cycle.setGoals(setup.scenario.goals);
+  for (const auto& laser : setup.lasers) cycle.expectSensor(laser.first);
 
   RunSummary summary;
   summary.seed = seed;

@@ -72,6 +72,15 @@ void SimulationSetup::check() const {
   navigation.check();
   world.check();
   if (scenario.goals.empty()) Config::refuse("scenario", "goals", "at least one pose");
+  const RobotLimits& limits = navigation.limits;
+  const auto canDo = [](double planned, double base, const std::string& key) {
+    if (planned > base + 1e-9)
+      Config::refuse("limits", key,
+                     "at most what [simulated_robot] can do, " + std::to_string(base));
+  };
+  canDo(limits.maxSpeed_mps, simulatedRobot.maxSpeed_mps, "max_speed_mps");
+  canDo(limits.acceleration_mps2, simulatedRobot.maxAcceleration_mps2, "acceleration_mps2");
+  canDo(limits.deceleration_mps2, simulatedRobot.maxDeceleration_mps2, "deceleration_mps2");
   if (lasers.empty()) Config::refuse("laser:NAME", "beams", "at least one laser");
 }
 

@@ -10,8 +10,9 @@ namespace bslnav {
 using mrpt::math::TPoint2D;
 
 const char* nameOf(MotionMode mode) {
-  static constexpr const char* kNames[] = {
-      "idle", "follow", "rotate_to_path", "rotate_to_goal", "back_off", "arrived", "failed"};
+  static constexpr const char* kNames[] = {"idle",         "follow",         "rotate_to_path",
+                                           "stop_at_goal", "rotate_to_goal", "back_off",
+                                           "arrived",      "failed"};
   return kNames[static_cast<int>(mode)];
 }
 
@@ -44,7 +45,7 @@ void MotionPlanner::reset() {
   planner_.reset();
   recovery_.reset();
   recoveryStep_ = Recovery::Step::None;
-  blocked_ = stepDone_ = atGoal_ = turning_ = backingOff_ = false;
+  blocked_ = stepDone_ = stopping_ = atGoal_ = turning_ = backingOff_ = false;
 }
 
 Motion MotionPlanner::step(const Input& input, const CostGrid& costs) {
@@ -53,7 +54,13 @@ Motion MotionPlanner::step(const Input& input, const CostGrid& costs) {
       input.path.empty() ? TPoint2D{input.goal.x, input.goal.y} : input.path.back();
   const bool stops = input.passWithin_m == 0.0;
   const bool near = stops && (goal - robot).norm() <= parameters_.goalTolerance_m;
-  if (atGoal_ || near) return arrive(input, costs);
+  if (isStanding(
+          input.twist)) {  // only then it shows whether the robot stopped within the tolerance
+    atGoal_ = atGoal_ || near;
+    stopping_ = false;
+  }
+  stopping_ = stopping_ || near;
+  if (atGoal_ || stopping_) return arrive(input, costs);
 
   recoveryStep_ = recovery_.update(input.time_s, input.mapFromRobot, blocked_, stepDone_);
   stepDone_ = false;
@@ -62,7 +69,7 @@ Motion MotionPlanner::step(const Input& input, const CostGrid& costs) {
   switch (recoveryStep_) {
     case Recovery::Step::GiveUp:
       motion.mode = MotionMode::Failed;
-      motion.command = brake(input.twist, limits_, controlPeriod_s_);
+      motion.command = brake(input.commandBase, limits_, controlPeriod_s_);
       break;
     case Recovery::Step::BackOff:
       motion = backOff(input, costs);
@@ -83,15 +90,16 @@ Motion MotionPlanner::step(const Input& input, const CostGrid& costs) {
 }
 
 Motion MotionPlanner::arrive(const Input& input, const CostGrid& costs) {
-  atGoal_ = true;
-  const double error = mrpt::math::wrapToPi(input.goal.phi - input.mapFromRobot.phi);
-  if (parameters_.alignAtGoal && std::abs(error) > parameters_.headingTolerance_rad) {
-    Motion motion = rotate(MotionMode::RotateToGoal, error, input, costs);
-    if (!motion.blocked) return motion;  // without room to turn, being there has to do
-  }
   Motion motion;
-  motion.mode = isStanding(input.twist) ? MotionMode::Arrived : MotionMode::RotateToGoal;
-  motion.command = brake(input.twist, limits_, controlPeriod_s_);
+  const double error = mrpt::math::wrapToPi(input.goal.phi - input.mapFromRobot.phi);
+  if (atGoal_ && parameters_.alignAtGoal && std::abs(error) > parameters_.headingTolerance_rad) {
+    motion = rotate(MotionMode::RotateToGoal, error, input, costs);
+    if (!motion.blocked) return motion;  // without room to turn, being there has to do
+    motion.blocked = false;
+  }
+  const bool arrived = atGoal_ && isStanding(input.twist);
+  motion.mode = arrived ? MotionMode::Arrived : MotionMode::StopAtGoal;
+  motion.command = brake(input.commandBase, limits_, controlPeriod_s_);
   return motion;
 }
 
@@ -101,7 +109,7 @@ Motion MotionPlanner::follow(const Input& input, const CostGrid& costs) {
   if (input.path.empty()) {
     motion.blocked = true;
     turning_ = false;
-    motion.command = brake(input.twist, limits_, controlPeriod_s_);
+    motion.command = brake(input.commandBase, limits_, controlPeriod_s_);
     return motion;
   }
   const TPoint2D robot{input.mapFromRobot.x, input.mapFromRobot.y};
@@ -119,7 +127,7 @@ Motion MotionPlanner::follow(const Input& input, const CostGrid& costs) {
   const bool stops = input.passWithin_m == 0.0;
   const bool atEnd = (localGoal - input.path.back()).norm() < 1e-9;
   const double tolerance_m = stops ? parameters_.goalTolerance_m : input.passWithin_m;
-  dwa_ = &planner_.plan({input.mapFromRobot, input.twist, input.path, localGoal,
+  dwa_ = &planner_.plan({input.mapFromRobot, input.commandBase, input.path, localGoal,
                          atEnd ? tolerance_m : 0.0, atEnd && stops},
                         costs);
   motion.mode = MotionMode::Follow;
@@ -136,8 +144,8 @@ Motion MotionPlanner::rotate(MotionMode mode, double error_rad, const Input& inp
   motion.mode = mode;
   motion.blocked = !roomToTurn(error_rad, input, costs);
   motion.command = motion.blocked
-                       ? brake(input.twist, limits_, controlPeriod_s_)
-                       : rotateInPlace(error_rad, input.twist, limits_, controlPeriod_s_);
+                       ? brake(input.commandBase, limits_, controlPeriod_s_)
+                       : rotateInPlace(error_rad, input.commandBase, limits_, controlPeriod_s_);
   return motion;
 }
 
@@ -175,11 +183,11 @@ Motion MotionPlanner::backOff(const Input& input, const CostGrid& costs) {
   Motion motion;
   motion.mode = MotionMode::BackOff;
   motion.command = limited({direction * recoveryParameters_.backOffSpeed_mps, 0.0, 0.0},
-                           input.twist, limits_, controlPeriod_s_);
+                           input.commandBase, limits_, controlPeriod_s_);
   stepDone_ = direction == 0.0 || moved >= recoveryParameters_.backOffDistance_m;
   if (stepDone_) {
     backingOff_ = false;
-    motion.command = brake(input.twist, limits_, controlPeriod_s_);
+    motion.command = brake(input.commandBase, limits_, controlPeriod_s_);
   }
   return motion;
 }

@@ -41,6 +41,7 @@ NavigationCycle::NavigationCycle(const NavigationParameters& parameters,
           parameters.cycle.period_s) {
   if (map) global_.emplace(parameters.costmap, parameters.footprint, map, Extent::WholeMap);
   record_.index = -1;
+  parameters_.dangerZone.deceleration_mps2 = parameters_.limits.deceleration_mps2;
 }
 
 void NavigationCycle::setGoals(std::vector<mrpt::math::TPose2D> goals) {
@@ -57,13 +58,14 @@ const CycleRecord& NavigationCycle::step(const SensorFrame& frame) {
   ++record_.index;
   record_.health = takeOver(frame);
   record_.times = {};
-  // Without a measured velocity the robot is taken to do as it was told.
-  const auto stop = brake(isFinite(record_.twist) ? record_.twist : record_.motion.command,
-                          parameters_.limits, parameters_.cycle.period_s);
+  const auto base = commandBase(frame.twist);
+  const auto stop = brake(base, parameters_.limits, parameters_.cycle.period_s);
   record_.motion = {};
   record_.motion.command = stop;
   record_.replanned = false;
   if (record_.health != CycleRecord::Health::Ok) {
+    record_.blindSpots.clear();  // they were relative to a robot that has moved on
+    motionPlanner_.forgetProgress();
     record_.times.total_s = whole.Tac();
     return record_;
   }
@@ -71,6 +73,7 @@ const CycleRecord& NavigationCycle::step(const SensorFrame& frame) {
   record_.times.blindSpots_s = seconds(stage);
 
   local_.update(record_.mapFromRobot, scans_, record_.dangerZones);
+  if (global_) global_->update(record_.mapFromRobot, scans_, {});
   record_.times.costmap_s = seconds(stage);
 
   if (goals_.empty()) {
@@ -85,13 +88,19 @@ const CycleRecord& NavigationCycle::step(const SensorFrame& frame) {
 
   const bool waypoint = pathCutShort_ || nextGoal_ + 1 < goals_.size();
   record_.motion = motionPlanner_.step(
-      {record_.time_s, record_.mapFromRobot, record_.twist, record_.path, goals_[nextGoal_],
+      {record_.time_s, record_.mapFromRobot, record_.twist, base, record_.path, goals_[nextGoal_],
        waypoint ? parameters_.cycle.waypointTolerance_m : 0.0},
       local_.costs());
   if (record_.motion.planned) record_.dwa = motionPlanner_.dwa();
   record_.times.motion_s = seconds(stage);
   record_.times.total_s = whole.Tac();
   return record_;
+}
+
+mrpt::math::TTwist2D NavigationCycle::commandBase(const mrpt::math::TTwist2D& measured) const {
+  const auto& last = record_.motion.command;
+  if (!isFinite(measured)) return last;  // then the robot is taken to do as it was told
+  return record_.index == 0 ? measured : bslnav::commandBase(measured, last, parameters_.limits);
 }
 
 CycleRecord::Health NavigationCycle::takeOver(const SensorFrame& frame) {
@@ -163,7 +172,6 @@ bool NavigationCycle::needsPath() const {
 }
 
 void NavigationCycle::planPath() {
-  if (global_) global_->update(record_.mapFromRobot, scans_, {});
   record_.path.clear();
   record_.replanned = true;
   goalsChanged_ = false;
@@ -173,6 +181,7 @@ void NavigationCycle::planPath() {
   const PathResult path = globalPlanner_.plan(
       planningCosts(), {record_.mapFromRobot.x, record_.mapFromRobot.y}, reachable);
   record_.pathStatus = path.status;
+  record_.goalMoved = path.goalMoved;
   record_.path.assign(path.points.begin(), path.points.end());
 }
 

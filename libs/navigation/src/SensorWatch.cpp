@@ -5,6 +5,10 @@
 
 namespace bslnav {
 
+void SensorWatch::expect(const std::string& sensor) {
+  sensors_.push_back({sensor, -std::numeric_limits<double>::infinity()});
+}
+
 void SensorWatch::heard(const std::string& sensor, double stamp_s, double now_s) {
   const double heard_s = std::min(stamp_s, now_s);
   for (auto& known : sensors_)

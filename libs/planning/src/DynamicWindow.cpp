@@ -5,10 +5,10 @@
 namespace bslnav {
 
 DynamicWindow dynamicWindow(const mrpt::math::TTwist2D& current, const RobotLimits& limits,
-                            double period_s, double speedCap_mps) {
+                            double window_s, double speedCap_mps) {
   const double turn = limits.maxYawRate_radps;
-  const auto low = limited({0.0, 0.0, -turn}, current, limits, period_s);
-  const auto high = limited({speedCap_mps, 0.0, turn}, current, limits, period_s);
+  const auto low = limited({0.0, 0.0, -turn}, current, limits, window_s);
+  const auto high = limited({speedCap_mps, 0.0, turn}, current, limits, window_s);
   return {low.vx, high.vx, low.omega, high.omega};
 }
 

@@ -30,6 +30,17 @@ void RobotLimits::describe(ConfigSection& section) {
                  "highest decrease of speed");
   section.angle("yaw_acceleration_degps2", yawAcceleration_radps2, {1.0, 7200.0},
                 "highest change of the turning rate");
+  section.number("response_s", response_s, {0.0, 5.0}, "s",
+                 "how far the measured velocity may trail the commanded one (lag and latency)");
+}
+
+mrpt::math::TTwist2D commandBase(const mrpt::math::TTwist2D& measured,
+                                 const mrpt::math::TTwist2D& lastCommand,
+                                 const RobotLimits& limits) {
+  const double v = limits.response_s * std::max(limits.acceleration_mps2, limits.deceleration_mps2);
+  const double w = limits.response_s * limits.yawAcceleration_radps2;
+  return {std::clamp(lastCommand.vx, measured.vx - v, measured.vx + v), 0.0,
+          std::clamp(lastCommand.omega, measured.omega - w, measured.omega + w)};
 }
 
 mrpt::math::TTwist2D limited(const mrpt::math::TTwist2D& wanted,

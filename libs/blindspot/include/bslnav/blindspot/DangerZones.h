@@ -10,12 +10,12 @@
 namespace bslnav {
 
 struct DangerZoneParameters {
-  double shoulderWidth_m = 0.5;                 ///< H_w
-  double stride_m = 0.8;                        ///< L, what a person needs to stop
-  double offset_m = 0.2;                        ///< X_off, margin
-  double amplitude = 253.0;                     ///< A
-  double scaling_per_m = 1.0;                   ///< S
-  double deceleration_mps2 = 0.5;               ///< |a| of the robot
+  double shoulderWidth_m = 0.5;    ///< H_w
+  double stride_m = 0.8;           ///< L, what a person needs to stop
+  double offset_m = 0.2;           ///< X_off, margin
+  double amplitude = 253.0;        ///< A
+  double scaling_per_m = 1.0;      ///< S
+  double deceleration_mps2 = 0.5;  ///< |a|; not in the section: the cycle takes it from [limits]
   double maxBearing_rad = 80.0 * M_PI / 180.0;  ///< limit of |θ^b|, below π/2
 
   void describe(ConfigSection& section);

@@ -48,7 +48,8 @@ struct RunSummary {
        atFault = false;  ///< at fault: the robot was faster than 0.05 m/s at contact
   std::optional<double> impactSpeed_mps;  ///< of the robot at contact
   std::optional<double> minClearance_m;   ///< to people; none without people
-  double blindSpotsMean = 0.0;            ///< per cycle
+  bool goalMoved = false;       ///< it was blocked: the robot drove to the nearest reachable place
+  double blindSpotsMean = 0.0;  ///< per cycle
   int cycles = 0, blockedCycles = 0, unhealthyCycles = 0;
   long droppedBeams = 0;
   Percentiles cycle_ms, blindSpots_ms, costmap_ms, globalPlan_ms, motion_ms;
@@ -72,6 +73,7 @@ class Metrics {
  private:
   int cycles_ = 0, blocked_ = 0, unhealthy_ = 0;
   long droppedBeams_ = 0;
+  bool goalMoved_ = false;
   double path_m_ = 0.0, stopped_s_ = 0.0, time_s_ = 0.0, blindSpots_ = 0.0;
   mrpt::math::TPoint2D last_;
   std::vector<StageTimes> times_;

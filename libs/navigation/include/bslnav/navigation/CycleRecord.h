@@ -31,8 +31,9 @@ struct CycleRecord {
   std::vector<mrpt::math::TPoint2D> path;  ///< global path, map frame; empty when there is none
   PathResult::Status pathStatus = PathResult::Status::Found;
   bool replanned = false;
-  Motion motion;  ///< the command is `motion.command`
-  DwaResult dwa;  ///< every candidate; belongs to this cycle when motion.planned
+  bool goalMoved = false;  ///< the path leads to the nearest reachable place instead
+  Motion motion;           ///< the command is `motion.command`
+  DwaResult dwa;           ///< every candidate; belongs to this cycle when motion.planned
   StageTimes times;
 };
 

@@ -13,6 +13,7 @@ enum class MotionMode : std::uint8_t {
   Idle,
   Follow,
   RotateToPath,
+  StopAtGoal,
   RotateToGoal,
   BackOff,
   Arrived,
@@ -52,7 +53,8 @@ class MotionPlanner {
   struct Input {
     double time_s;
     mrpt::math::TPose2D mapFromRobot;
-    mrpt::math::TTwist2D twist;
+    mrpt::math::TTwist2D twist;                     ///< measured
+    mrpt::math::TTwist2D commandBase;               ///< what the next command starts from
     const std::vector<mrpt::math::TPoint2D>& path;  ///< empty: none was found
     mrpt::math::TPose2D goal;   ///< where the path leads; its heading is taken up on arrival
     double passWithin_m = 0.0;  ///< above 0: a waypoint, passed this near without stopping
@@ -66,6 +68,8 @@ class MotionPlanner {
   const DwaResult& dwa() const { return *dwa_; }
   /** Starts afresh: after a new goal. */
   void reset();
+  /** Starts recovery's clocks afresh: after a time in which the robot was not to move. */
+  void forgetProgress() { recovery_.reset(); }
 
  private:
   Motion follow(const Input& input, const CostGrid& costs);
@@ -83,7 +87,8 @@ class MotionPlanner {
   DwaPlanner planner_;
   Recovery recovery_;
   Recovery::Step recoveryStep_ = Recovery::Step::None;
-  bool blocked_ = false, stepDone_ = false, atGoal_ = false, turning_ = false;
+  bool blocked_ = false, stepDone_ = false, turning_ = false;
+  bool stopping_ = false, atGoal_ = false;  // within the tolerance: braking, and standing
   mrpt::math::TPose2D backOffFrom_;
   bool backingOff_ = false;
   const DwaResult* dwa_ = nullptr;

@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace bslnav {
@@ -27,6 +28,10 @@ class NavigationCycle {
    * heading. */
   void setGoals(std::vector<mrpt::math::TPose2D> goals);
 
+  /** A sensor that must deliver: the robot does not move before it has, nor when it falls silent.
+   * Sensors that are not announced are watched from their first scan on. */
+  void expectSensor(const std::string& label) { sensors_.expect(label); }
+
   /** Runs one cycle. The record is valid until the next call. */
   const CycleRecord& step(const SensorFrame& frame);
 
@@ -39,6 +44,7 @@ class NavigationCycle {
   const std::vector<mrpt::math::TPose2D>& goals() const { return goals_; }
 
  private:
+  mrpt::math::TTwist2D commandBase(const mrpt::math::TTwist2D& measured) const;
   CycleRecord::Health takeOver(const SensorFrame& frame);
   void resizeScans(std::size_t count);
   void findBlindSpots();

@@ -37,10 +37,10 @@ class Recovery {
    */
   Step update(double time_s, const mrpt::math::TPose2D& pose, bool blocked, bool stepDone);
 
+  int round() const { return round_; }
+
   /** Forgets everything: after a new goal. */
   void reset() { *this = Recovery(parameters_); }
-
-  int round() const { return round_; }
 
  private:
   void noteProgress(double time_s, const mrpt::math::TPose2D& pose);

@@ -9,6 +9,9 @@ namespace bslnav {
  * others go on. */
 class SensorWatch {
  public:
+  /** A sensor that is to deliver; it is infinitely old until it does. */
+  void expect(const std::string& sensor);
+
   /** A usable measurement of a sensor; a stamp ahead of `now_s` counts as now, so that it cannot
    * stay the newest for ever. */
   void heard(const std::string& sensor, double stamp_s, double now_s);

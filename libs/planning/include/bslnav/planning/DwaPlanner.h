@@ -62,7 +62,7 @@ class DwaPlanner {
    * admissible one. The result is valid until the next call; no allocation after the first. */
   const DwaResult& plan(const DwaInput& input, const CostGrid& costs);
 
-  /** Forgets which way the robot turned: after a new goal or a recovery. */
+  /** Forgets which way the robot turned: after a new goal. */
   void reset() { oscillation_.reset(); }
 
  private:

@@ -5,7 +5,7 @@
 
 namespace bslnav {
 
-/** The velocities that can be reached within one control period (Fox et al. 1997). */
+/** The velocities that can be reached within some time (Fox et al. 1997: one control period). */
 struct DynamicWindow {
   double vMin = 0.0, vMax = 0.0;  ///< forward speed [m/s]
   double wMin = 0.0, wMax = 0.0;  ///< turning rate [rad/s]
@@ -15,7 +15,7 @@ struct DynamicWindow {
  * the limits, is led back as fast as its limits allow.
  *  @param speedCap_mps highest speed wanted now, at least 0, for example to stop at the goal */
 DynamicWindow dynamicWindow(const mrpt::math::TTwist2D& current, const RobotLimits& limits,
-                            double period_s, double speedCap_mps);
+                            double window_s, double speedCap_mps);
 
 /** Sample i of n spread evenly over [low, high]; where the interval holds zero, the sample nearest
  * to zero is zero, so that standing still and driving straight are always among the candidates. */

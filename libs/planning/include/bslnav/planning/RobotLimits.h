@@ -12,9 +12,18 @@ struct RobotLimits {
   double acceleration_mps2 = 0.5;
   double deceleration_mps2 = 0.5;
   double yawAcceleration_radps2 = 2.0;
+  double response_s = 0.3;  ///< how far the measured velocity may trail the commanded one
 
   void describe(ConfigSection& section);
 };
+
+/** The velocity that the next command starts from: the last command as far as the base may not have
+ * followed it yet, else what was measured. Starting from the measured velocity alone, a base that
+ * lags would be told to brake ever anew and take far longer to stop than its deceleration allows.
+ */
+mrpt::math::TTwist2D commandBase(const mrpt::math::TTwist2D& measured,
+                                 const mrpt::math::TTwist2D& lastCommand,
+                                 const RobotLimits& limits);
 
 /** The command of one control period that brings the robot nearer to a standstill, as fast as the
  * limits allow. */
