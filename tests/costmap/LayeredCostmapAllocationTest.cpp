@@ -1,24 +1,8 @@
 #include <bslnav/costmap/LayeredCostmap.h>
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
+#include "../support/HeapUse.h"
 #include "CostmapTestTools.h"
-
-namespace {
-std::atomic<long> allocations{0};
-}
-
-// Not inlined, or GCC takes malloc and delete for a mismatched pair.
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size ? size : 1)) return memory;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace bslnav {
 namespace {
@@ -34,10 +18,10 @@ TEST(LayeredCostmap, AllocatesNothingOnceWarm) {
     for (int i = 0; i < 50; ++i) costmap.update({0.03 * i, -0.02 * i, 0.1 * i}, scans, zones);
   };
   drive();
-  const long before = allocations;
+  const long before = test::heapUse().allocations;
   ASSERT_GT(before, 0);  // the counter counts
   drive();
-  EXPECT_EQ(allocations, before);
+  EXPECT_EQ(test::heapUse().allocations, before);
 }
 
 }  // namespace

@@ -1,32 +1,5 @@
-#include <malloc.h>
-
-#include <cstdlib>
-#include <new>
-
+#include "../support/HeapUse.h"
 #include "NavigationCycleRig.h"
-
-namespace {
-// Of the thread that runs the cycles: OpenCV's worker threads allocate when they first have work.
-thread_local long allocations = 0, liveBlocks = 0, liveBytes = 0;
-}  // namespace
-
-// Not inlined, or GCC takes malloc and delete for a mismatched pair.
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  ++allocations;
-  ++liveBlocks;
-  void* const memory = std::malloc(size ? size : 1);
-  if (!memory) throw std::bad_alloc();
-  liveBytes += static_cast<long>(malloc_usable_size(memory));
-  return memory;
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept {
-  if (memory) --liveBlocks;
-  liveBytes -= static_cast<long>(malloc_usable_size(memory));
-  std::free(memory);
-}
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
-  operator delete(memory);
-}
 
 namespace bslnav {
 namespace {
@@ -78,20 +51,22 @@ TEST(NavigationCycle, AllocatesNothingOnceWarmBetweenNewPaths) {
   Laps laps(1000.0);
   laps.lap();
   laps.lap();
-  const long before = allocations;
+  const long before = test::heapUse().allocations;
   ASSERT_GT(before, 0);  // the counter counts
   laps.lap();
-  EXPECT_EQ(allocations, before);
+  EXPECT_EQ(test::heapUse().allocations, before);
 }
 
 TEST(NavigationCycle, HoldsNoMoreMemoryAfter2000Cycles) {
   Laps laps(1.0);
   for (int i = 0; i < 3; ++i) laps.lap();
-  const long blocks = liveBlocks, bytes = liveBytes, allocatedBefore = allocations;
-  for (int i = 0; i < 33; ++i) laps.lap();  // of 60 cycles
-  EXPECT_GT(allocations, allocatedBefore);  // new paths
-  EXPECT_EQ(liveBlocks, blocks);
-  EXPECT_NEAR(static_cast<double>(liveBytes), static_cast<double>(bytes), 1000.0);  // malloc rounds
+  const long blocks = test::heapUse().blocks, bytes = test::heapUse().bytes,
+             allocatedBefore = test::heapUse().allocations;
+  for (int i = 0; i < 33; ++i) laps.lap();                  // of 60 cycles
+  EXPECT_GT(test::heapUse().allocations, allocatedBefore);  // new paths
+  EXPECT_EQ(test::heapUse().blocks, blocks);
+  EXPECT_NEAR(static_cast<double>(test::heapUse().bytes), static_cast<double>(bytes),
+              1000.0);  // malloc rounds
 }
 
 }  // namespace

@@ -1,22 +1,8 @@
 #include <bslnav/planning/DwaPlanner.h>
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <new>
-
+#include "../support/HeapUse.h"
 #include "DwaGenerators.h"
-
-namespace {
-long allocations = 0;  // NOLINT: counted by the operator below
-}
-
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size ? size : 1)) return memory;
-  throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace bslnav {
 namespace {
@@ -171,12 +157,12 @@ TEST(DwaPlanner, AllocatesNothingAfterTheFirstCall) {
   const DwaInput first{{1.0, 0.0, 0.0}, {0.5, 0.0, 0.0}, path, {4.0, 0.0}, 0.1};
   const DwaInput second{{1.5, 0.1, 0.3}, {0.3, 0.0, 0.2}, path, {4.0, 0.0}, 0.1};
   dwa.plan(first, grid);
-  const long before = allocations;
+  const long before = test::heapUse().allocations;
   for (int i = 0; i < 5; ++i) {
     dwa.plan(second, grid);
     dwa.plan(first, grid);
   }
-  EXPECT_EQ(allocations, before);
+  EXPECT_EQ(test::heapUse().allocations, before);
   EXPECT_GT(before, 0);  // they are counted
 }
 
