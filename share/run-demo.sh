@@ -17,10 +17,10 @@ demo() {
     "$(value p50 '%.2f ms')"
 }
 
-# value KEY [FORMAT]: the first of this name in the run's summary, a dash for null.
+# value KEY [FORMAT]: the first of this name in the run's summary, a dash for null, 0 for the little below it in contact.
 value() {
   awk -v key="\"$1\":" -v format="${2:-%s}" '
-    $1 == key { gsub(/[",]/, "", $2); if ($2 == "null") print "-"; else printf format "\n", $2; exit }
+    $1 == key { gsub(/[",]/, "", $2); if ($2 ~ /^-0\.0/) $2 = 0; if ($2 == "null") print "-"; else printf format "\n", $2; exit }
   ' "$results/summary.json"
 }
 

@@ -9,7 +9,7 @@
 namespace bslnav {
 
 /** The weights and scales of the paper's cost J = W_pos·c_pos + W_gol·c_gol + W_dan·c_dan +
- * W_vel·c_vel (eq. 11, table I). */
+ * W_vel·c_vel (eq. 10, table I). */
 struct CostWeights {
   double path = 2.0, goal = 1.0, danger = 10.0, velocity = 0.0;
   double dangerDivisor =
