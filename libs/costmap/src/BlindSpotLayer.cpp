@@ -42,7 +42,7 @@ inline float halved(float t) {
 
 constexpr float kFarthest = 120.0f;  // halvings: less than 1 is left of any cost by then
 
-/** Equation 10 for whole lanes of cells in a row, min(highest, amplitude · 2^−distance), in lengths
+/** Equation 9 for whole lanes of cells in a row, min(highest, amplitude · 2^−distance), in lengths
  * over which the cost halves: dx0 is from the zone's centre to the centre of the first cell, `cell`
  * a cell's side. The limits are arguments because GCC makes branches of std::min with constants. */
 BSLNAV_VECTOR_CLONES void fillCosts(float dx0, float dySquared, float cell, float farthest,
