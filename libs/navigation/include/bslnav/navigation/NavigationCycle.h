@@ -41,7 +41,6 @@ class NavigationCycle {
   const CostGrid& planningCosts() const {
     return global_ ? global_->costs() : local_.costsWithoutBlindSpots();
   }
-  const std::vector<mrpt::math::TPose2D>& goals() const { return goals_; }
 
  private:
   mrpt::math::TTwist2D commandBase(const mrpt::math::TTwist2D& measured) const;
