@@ -17,12 +17,14 @@ foreach(component IN ITEMS config containers kinematics maps math obs random sla
 endforeach()
 bslnav_find(OpenCV COMPONENTS core imgproc imgcodecs)
 bslnav_find(embree 3)
+bslnav_find(PCL COMPONENTS common filters kdtree search segmentation)
+bslnav_find(TBB)
 bslnav_find(nlohmann_json)
 if(NOT CMAKE_FIND_PACKAGE_NAME)
   bslnav_find(CLI11)  # the programs only
 endif()
 
-# Debian's Embree and OpenCV configurations define no usable interface targets of their own.
+# Debian's Embree, OpenCV and PCL configurations define no usable interface targets of their own.
 if(NOT TARGET bslnav::embree)
   add_library(bslnav::embree INTERFACE IMPORTED GLOBAL)
   target_link_libraries(bslnav::embree INTERFACE embree)
@@ -31,4 +33,9 @@ if(NOT TARGET bslnav::opencv)
   add_library(bslnav::opencv INTERFACE IMPORTED GLOBAL)
   target_link_libraries(bslnav::opencv INTERFACE opencv_core opencv_imgproc opencv_imgcodecs)
   target_include_directories(bslnav::opencv SYSTEM INTERFACE ${OpenCV_INCLUDE_DIRS})
+endif()
+if(NOT TARGET bslnav::pcl)  # its own targets bring all of VTK
+  add_library(bslnav::pcl INTERFACE IMPORTED GLOBAL)
+  target_link_libraries(bslnav::pcl INTERFACE pcl_common pcl_filters pcl_kdtree pcl_search pcl_segmentation)
+  target_include_directories(bslnav::pcl SYSTEM INTERFACE ${PCL_INCLUDE_DIRS})
 endif()

@@ -8,10 +8,16 @@ void MethodParameters::describe(ConfigSection& section) {
 }
 
 void BlindSpotParameters::describe(ConfigSection& section) {
-  section.choice(
-      "source", source,
-      {{"none", BlindSpotSource::None}, {"scan_jumps", BlindSpotSource::ScanJumps}},
-      "where blind spots come from: none (Method 1), jumps between laser beams (Method 2)");
+  section.choice("source", source,
+                 {{"none", BlindSpotSource::None},
+                  {"scan_jumps", BlindSpotSource::ScanJumps},
+                  {"depth_clusters", BlindSpotSource::DepthClusters}},
+                 "where blind spots come from: none (Method 1), jumps between laser beams (Method "
+                 "2), clusters of depth points (Methods 3 and 4)");
+}
+
+void DepthParameters::describe(ConfigSection& section) {
+  section.flag("enabled", enabled, "whether depth cameras are used: Methods 3 and 4");
 }
 
 void CycleParameters::describe(ConfigSection& section) {
@@ -31,6 +37,7 @@ void NavigationParameters::bind(Config& config) {
   config.bind("footprint", "The robot's outline.", footprint);
   config.bind("limits", "What the robot's base can do.", limits);
   config.bind("costmap", "The layered cost map.", costmap);
+  config.bind("depth", "Depth cameras.", depth);
   config.bind("blind_spots", "Where could a person be hidden?", blindSpots);
   config.bind("scan_jumps", "Blind spots from jumps between neighbouring laser beams (paper IV).",
               scanJumps);
@@ -50,6 +57,8 @@ void NavigationParameters::check() const {
     Config::refuse("cycle", "replan_period_s", "at least [cycle] period_s");
   if (dwa.horizon_s < cycle.period_s)
     Config::refuse("dwa", "horizon_s", "at least [cycle] period_s");
+  if (blindSpots.source == BlindSpotSource::DepthClusters && !depth.enabled)
+    Config::refuse("depth", "enabled", "true with [blind_spots] source = depth_clusters");
 }
 
 }  // namespace bslnav

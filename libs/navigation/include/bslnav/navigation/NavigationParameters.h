@@ -21,10 +21,17 @@ struct MethodParameters {
 };
 
 /** Where blind spots come from. */
-enum class BlindSpotSource : std::uint8_t { None, ScanJumps };
+enum class BlindSpotSource : std::uint8_t { None, ScanJumps, DepthClusters };
 
 struct BlindSpotParameters {
   BlindSpotSource source = BlindSpotSource::None;
+
+  void describe(ConfigSection& section);
+};
+
+/** Whether depth cameras count. */
+struct DepthParameters {
+  bool enabled = false;
 
   void describe(ConfigSection& section);
 };
@@ -45,6 +52,7 @@ struct NavigationParameters {
   Footprint footprint;
   RobotLimits limits;
   CostmapParameters costmap;
+  DepthParameters depth;
   BlindSpotParameters blindSpots;
   ScanJumpParameters scanJumps;
   DangerZoneParameters dangerZone;
