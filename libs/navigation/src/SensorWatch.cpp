@@ -25,4 +25,11 @@ double SensorWatch::oldestAge_s(double now_s) const {
   return oldest;
 }
 
+std::string SensorWatch::oldest() const {
+  const auto oldest =
+      std::min_element(sensors_.begin(), sensors_.end(),
+                       [](const Sensor& a, const Sensor& b) { return a.newest_s < b.newest_s; });
+  return oldest == sensors_.end() ? std::string() : oldest->label;
+}
+
 }  // namespace bslnav

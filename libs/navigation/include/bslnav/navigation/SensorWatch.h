@@ -18,6 +18,8 @@ class SensorWatch {
 
   /** Age of the measurement of the sensor that is behind most; infinite before the first one. */
   double oldestAge_s(double now_s) const;
+  /** The label of that sensor; empty when there is none. */
+  std::string oldest() const;
 
  private:
   struct Sensor {
