@@ -21,24 +21,29 @@ inline int floorOf(float value) {
 }
 
 /** The points of a row of pixels, and the voxel of each: column · 64 + layer, or −1 outside. */
-BSLNAV_VECTOR_CLONES void voxelRow(const float* depth_m, const float* columnX, const float* columnY,
-                                   const float* columnZ, const float* row, const float* origin,
-                                   const Volume& volume, int count, float* x, float* y, float* z,
-                                   int* key) {
+BSLNAV_VECTOR_CLONES void voxelRow(const float* __restrict depth_m, const float* __restrict columnX,
+                                   const float* __restrict columnY, const float* __restrict columnZ,
+                                   const float* row, const float* origin, const Volume& volume,
+                                   int count, float* __restrict x, float* __restrict y,
+                                   float* __restrict z, int* __restrict key) {
   const float rowX = row[0], rowY = row[1], rowZ = row[2];
   const float originX = origin[0], originY = origin[1], originZ = origin[2];
-  const Volume v = volume;
+  const float perMetre = volume.perMetre;
+  const int half = volume.half, side = volume.side, lowest = volume.lowest, layers = volume.layers;
   for (int u = 0; u < count; ++u) {
     const float d = depth_m[u];
     x[u] = originX + d * (columnX[u] + rowX);
     y[u] = originY + d * (columnY[u] + rowY);
     z[u] = originZ + d * (columnZ[u] + rowZ);
-    const int i = floorOf(x[u] * v.perMetre) + v.half, j = floorOf(y[u] * v.perMetre) + v.half,
-              k = floorOf(z[u] * v.perMetre) - v.lowest;
-    const bool inside = (d > 0.0f) & (i >= 0) & (i < 2 * v.half) & (j >= 0) & (j < 2 * v.half) &
-                        (k >= 0) & (k < v.layers);
-    const int voxel = ((i * v.side + j) << kLayerBits) + k;
-    key[u] = inside ? voxel : -1;
+    const int i = floorOf(x[u] * perMetre) + half, j = floorOf(y[u] * perMetre) + half,
+              k = floorOf(z[u] * perMetre) - lowest;
+    // As unsigned numbers, negative ones are large.
+    const int outside =
+        static_cast<int>(static_cast<unsigned>(i) >= static_cast<unsigned>(2 * half)) |
+        static_cast<int>(static_cast<unsigned>(j) >= static_cast<unsigned>(2 * half)) |
+        static_cast<int>(static_cast<unsigned>(k) >= static_cast<unsigned>(layers)) |
+        static_cast<int>(!(d > 0.0f));
+    key[u] = (((i * side + j) << kLayerBits) + k) | -outside;
   }
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 namespace bslnav {
 namespace {
@@ -12,17 +13,17 @@ namespace {
 using mrpt::math::TPoint3Df;
 using mrpt::obs::CObservation3DRangeScan;
 
-/** Depths of one row from the sensor's integers; those above `most` are none. Returns the largest.
- */
-BSLNAV_VECTOR_CLONES float scaleRow(const std::uint16_t* raw, float unit_m, float most, int count,
-                                    float* depth_m) {
-  float largest = 0.0f;
+/** Depths of one row from the sensor's integers; those above `most` are none. Returns the bits of
+ * all depths: 0 if there is none. */
+BSLNAV_VECTOR_CLONES unsigned scaleRow(const std::uint16_t* __restrict raw, float unit_m, int most,
+                                       int count, float* __restrict depth_m) {
+  unsigned bits = 0;
   for (int u = 0; u < count; ++u) {
-    const float depth = static_cast<float>(raw[u]) * unit_m;
-    depth_m[u] = depth <= most ? depth : 0.0f;
-    largest = depth_m[u] > largest ? depth_m[u] : largest;
+    const int value = raw[u] <= most ? raw[u] : 0;
+    depth_m[u] = static_cast<float>(value) * unit_m;
+    bits |= static_cast<unsigned>(value);
   }
-  return largest;
+  return bits;
 }
 
 /** Heights of flat surfaces, in bins, from samples of an image. */
@@ -121,20 +122,21 @@ void DepthFrame::setRays(const CObservation3DRangeScan& image,
 /** Returns whether any pixel has a depth. */
 bool DepthFrame::convert(const CObservation3DRangeScan& image) {
   depth_m_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
-  constexpr double kFarthest_m = 1e3;
-  maxRange_m_ = image.maxRange > 0.0f ? static_cast<double>(image.maxRange) : kFarthest_m;
-  float largest = 0.0f;
+  constexpr int kLargest = std::numeric_limits<std::uint16_t>::max();
+  const double unit_m = static_cast<double>(image.rangeUnits);
+  maxRange_m_ = image.maxRange > 0.0f ? static_cast<double>(image.maxRange) : kLargest * unit_m;
+  const int most = static_cast<int>(std::min<double>(kLargest, maxRange_m_ / unit_m + 1e-6));
+  unsigned bits = 0;
   for (int v = 0; v < rows_; ++v) {
     float* row = depth_m_.data() + static_cast<std::size_t>(v) * static_cast<std::size_t>(columns_);
-    largest = std::max(largest, scaleRow(&image.rangeImage(v, 0), image.rangeUnits,
-                                         static_cast<float>(maxRange_m_), columns_, row));
+    bits |= scaleRow(&image.rangeImage(v, 0), image.rangeUnits, most, columns_, row);
     if (image.range_is_depth) continue;
     const auto& camera = image.cameraParams;
     for (int u = 0; u < columns_; ++u)  // from the length of the ray to the depth
       row[u] /= static_cast<float>(
           std::hypot(1.0, (camera.cx() - u) / camera.fx(), (camera.cy() - v) / camera.fy()));
   }
-  return largest > 0.0f;
+  return bits != 0;
 }
 
 /** Looks at pairs of pixels above each other: where they are at the same height, a surface lies

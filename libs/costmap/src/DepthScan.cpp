@@ -13,16 +13,20 @@ constexpr float kSameThing_m = 0.15f;  // points this near to each other in a di
 
 /** Of each pixel in a row: distance seen from above if it is an obstacle, else kNone; distance if
  * it is lower than one, else 0; and height. */
-BSLNAV_VECTOR_CLONES void measureRow(const float* depth_m, const float* distancePerDepth,
-                                     const float* columnZ, float rowZ, float originZ, float zMin,
-                                     float zMax, int count, float* obstacle_m, float* floor_m,
-                                     float* height_m) {
+BSLNAV_VECTOR_CLONES void measureRow(const float* __restrict depth_m,
+                                     const float* __restrict distancePerDepth,
+                                     const float* __restrict columnZ, float rowZ, float originZ,
+                                     float zMin, float zMax, int count,
+                                     float* __restrict obstacle_m, float* __restrict floor_m,
+                                     float* __restrict height_m) {
   for (int u = 0; u < count; ++u) {
     const float d = depth_m[u], distance = d * distancePerDepth[u];
     const float z = originZ + d * (columnZ[u] + rowZ);
     height_m[u] = z;
-    obstacle_m[u] = (d > 0.0f) & (z >= zMin) & (z <= zMax) ? distance : kNone;
-    floor_m[u] = (d > 0.0f) & (z < zMin) ? distance : 0.0f;
+    const float obstacle = z >= zMin ? distance : kNone;
+    const float lower = z <= zMax ? obstacle : kNone;
+    obstacle_m[u] = d > 0.0f ? lower : kNone;
+    floor_m[u] = z < zMin ? distance : 0.0f;  // 0 without a depth, too
   }
 }
 
