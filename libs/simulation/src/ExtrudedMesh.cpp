@@ -41,16 +41,6 @@ void ExtrudedMesh::add(const WorldShape& shape) {
       shape.zMin_m, shape.zMax_m);
 }
 
-void ExtrudedMesh::addFloor(const WorldBounds& bounds, double margin_m) {
-  const auto first = static_cast<unsigned>(vertices.size());
-  const double x0 = bounds.lower.x - margin_m, x1 = bounds.upper.x + margin_m;
-  const double y0 = bounds.lower.y - margin_m, y1 = bounds.upper.y + margin_m;
-  for (const auto& v : {vertex(x0, y0, 0), vertex(x1, y0, 0), vertex(x1, y1, 0), vertex(x0, y1, 0)})
-    vertices.push_back(v);
-  triangles.push_back({first, first + 1, first + 2});
-  triangles.push_back({first, first + 2, first + 3});
-}
-
 std::vector<TPoint2D> circlePolygon(const TPoint2D& centre, double radius_m, double tolerance_m) {
   // The middle of a side lies r·(1 − cos(π/n)) inside the circle.
   const double halfSide_rad = std::acos(std::max(0.0, 1.0 - tolerance_m / radius_m));
