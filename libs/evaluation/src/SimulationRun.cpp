@@ -86,7 +86,8 @@ RunSummary runSimulation(const SimulationSetup& setup, std::uint64_t seed,
   const auto localization = makeLocalization(setup, map, seed);
   NavigationCycle cycle(setup.navigation, map);
   cycle.setGoals(setup.scenario.goals);
-  for (const auto& laser : setup.lasers) cycle.expectSensor(laser.first);
+  for (const auto& laser : setup.lasers) cycle.expectSensor(SensorKind::Laser, laser.first);
+  for (const auto& camera : cameras) cycle.expectSensor(SensorKind::Camera, camera.first);
 
   RunSummary summary;
   summary.seed = seed;

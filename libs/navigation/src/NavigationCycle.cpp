@@ -121,7 +121,7 @@ CycleRecord::Health NavigationCycle::takeOver(const SensorFrame& frame) {
   if (sensors_.oldestAge_s(frame.time_s) <= parameters_.cycle.sensorMaxAge_s)
     return CycleRecord::Health::Ok;
   record_.sensorProblem =
-      depthProblem_.empty() ? "nothing new from sensor '" + sensors_.oldest() + "'" : depthProblem_;
+      depthProblem_.empty() ? "nothing new from " + sensors_.oldest() : depthProblem_;
   return CycleRecord::Health::StaleSensor;
 }
 
@@ -139,7 +139,7 @@ bool NavigationCycle::takeOverScans(const SensorFrame& frame) {
     if (scans_[i].dropped() == scans_[i].size())
       blind = true;
     else
-      sensors_.heard(frame.scans[i]->sensorLabel, stamp_s, frame.time_s);
+      sensors_.heard(SensorKind::Laser, frame.scans[i]->sensorLabel, stamp_s, frame.time_s);
   }
   return blind;
 }
@@ -154,7 +154,7 @@ void NavigationCycle::takeOverDepth(const SensorFrame& frame) {
     const DepthFrame& taken = depthCameras_.add(image, stamp_s, motion_);
     ++record_.depthFrames;
     if (taken.status() == DepthFrame::Status::Ok) {
-      sensors_.heard(image->sensorLabel, stamp_s, frame.time_s);
+      sensors_.heard(SensorKind::Camera, image->sensorLabel, stamp_s, frame.time_s);
       depthProblem_.clear();
       continue;
     }

@@ -31,8 +31,8 @@ class NavigationCycle {
   void setGoals(std::vector<mrpt::math::TPose2D> goals);
 
   /** A sensor that must deliver: the robot does not move before it has, nor when it falls silent.
-   * Sensors that are not announced are watched from their first scan on. */
-  void expectSensor(const std::string& label) { sensors_.expect(label); }
+   * Sensors that are not announced are watched from their first measurement on. */
+  void expectSensor(SensorKind kind, const std::string& label) { sensors_.expect(kind, label); }
 
   /** Runs one cycle. The record is valid until the next call. */
   const CycleRecord& step(const SensorFrame& frame);
