@@ -17,7 +17,10 @@ class PaperApp : public AppTest {
             "--runs", runs,      "--jobs", jobs,        "--out", path(name)};
   }
   AppResult reproduce(const std::string& jobs, const std::string& name) const {
-    return run(words("2", jobs, name), "bslnav-experiment");
+    Arguments arguments = words("2", jobs, name);
+    arguments.insert(arguments.end(),
+                     {"--set", "pictures.snapshots_s=6"});  // drawing takes longest
+    return run(arguments, "bslnav-experiment");
   }
 };
 

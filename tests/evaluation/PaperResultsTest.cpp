@@ -30,10 +30,14 @@ TEST(PaperResults, PutRunsToTheirCasesAndMethods) {
   const std::vector<ExperimentCase> cases{hallCase("near", 1), hallCase("near", 2),
                                           hallCase("far", 1)};
   const std::vector<NominalRun> nominal{{cases[1], goalRun(2, 9.0, 1.0), {}}};
-  const auto results = paperResults(cases, nominal,
-                                    {{{"far", 1, 1}, goalRun(1, 1.0, 1.0)},
-                                     {{"near", 1, 1}, goalRun(1, 2.0, 1.0)},
-                                     {{"far", 1, 2}, goalRun(1, 3.0, 1.0)}});
+  std::vector<ExperimentResult> seeds(3);
+  const char* const names[] = {"far", "near", "far"};
+  for (std::size_t i = 0; i < seeds.size(); ++i) {
+    seeds[i].run.caseName = names[i];
+    seeds[i].run.method = 1;
+    seeds[i].summary = goalRun(1, 1.0 + static_cast<double>(i), 1.0);
+  }
+  const auto results = paperResults(cases, nominal, seeds);
   ASSERT_EQ(results.size(), 3u);
   EXPECT_EQ(results[1].method, 2);
   EXPECT_FALSE(results[0].nominal);

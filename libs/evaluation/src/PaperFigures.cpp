@@ -11,7 +11,7 @@ namespace bslnav {
 namespace {
 
 constexpr int kPageWidth_px = 1800, kGap_px = 20;
-constexpr double kWideAspect = 3.5;  // wider worlds are stacked, not put side by side
+constexpr double kWideAspect = 4.0;  // wider worlds are stacked, not put side by side
 
 std::string methodTitle(const NominalRun& run) {
   return "Method " + std::to_string(run.entry.method) + ": " + run.summary.methodName;

@@ -26,7 +26,7 @@ SeriesStyle styleOf(int method, std::size_t linesInFront) {
   constexpr std::array<Colour, 5> kColours{palette::kRejected, palette::kOrange, palette::kGreen,
                                            palette::kBlue, palette::kInk};
   const auto colour = static_cast<std::size_t>(method - 1) % kColours.size();
-  return {SeriesStyle::Form::Line, kColours[colour], 2.0 + 1.5 * static_cast<double>(linesInFront),
+  return {SeriesStyle::Form::Line, kColours[colour], 2.0 + 2.0 * static_cast<double>(linesInFront),
           false};
 }
 
