@@ -4,6 +4,7 @@
 #include <bslnav/config/Version.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <csignal>
 #include <cstdio>
 #include <exception>
@@ -13,8 +14,9 @@
 namespace bslnav {
 namespace {
 
-volatile std::sig_atomic_t interruptFlag =
-    0;  // set by the signal handler: the one thing it may touch
+// Set by the signal handler and read by any thread: a lock-free atomic may be touched there.
+std::atomic<bool> interruptFlag{false};
+static_assert(std::atomic<bool>::is_always_lock_free);
 
 }  // namespace
 
@@ -76,10 +78,10 @@ int runApp(CLI::App& app, int argc, char** argv, const std::function<int()>& bod
   }
 }
 
-bool interrupted() { return interruptFlag != 0; }
+bool interrupted() { return interruptFlag; }
 
 void listenForInterrupts() {
-  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { interruptFlag = 1; });
+  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { interruptFlag = true; });
 }
 
 void showProgress(const std::string& line, bool quiet) {

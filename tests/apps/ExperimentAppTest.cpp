@@ -35,9 +35,18 @@ TEST_F(ExperimentApp, TheSameCommandGivesTheSameBytes) {
   EXPECT_EQ(readFile(out("results.csv", "first")), readFile(out("results.csv", "second")));
 }
 
+TEST_F(ExperimentApp, TheNumberOfJobsDoesNotMatter) {
+  const std::string room = write("room.ini", kRoom);
+  ASSERT_EQ(compare({room, "--runs", "3", "--jobs", "1"}, "alone").exitCode, 0);
+  ASSERT_EQ(compare({room, "--runs", "3", "--jobs", "2"}, "together").exitCode, 0);
+  EXPECT_EQ(readFile(out("results.csv", "alone")), readFile(out("results.csv", "together")));
+}
+
 TEST_F(ExperimentApp, RefusesWhatItCannotRun) {
   EXPECT_EQ(compare({}).exitCode, 2);
   EXPECT_EQ(compare({kS1, "--runs", "0"}).exitCode, 2);
+  EXPECT_EQ(compare({kS1, "--method", "1"}).exitCode, 2);  // --methods is meant
+  EXPECT_EQ(compare({kS1, "--methods", "1", "1"}).exitCode, 2);
   EXPECT_EQ(run({}, "bslnav-experiment").exitCode, 2);
   const AppResult method = compare({kS1, "--methods", "9"});
   EXPECT_EQ(method.exitCode, 2);

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <limits>
+#include <utility>
 
 namespace bslnav {
 namespace {
@@ -18,42 +20,62 @@ std::vector<TPoint2D> rolloutOf(const Candidate& candidate, const DwaResult& dwa
   return points;
 }
 
-/** Every `stride`-th candidate's rollout. */
+/** Every `stride`-th candidate's rollout; costs from 0 for the best of them to 1 for the worst. */
 std::vector<CandidateLine> candidateLines(const DwaResult& dwa, const CostGrid& costs,
                                           std::size_t stride) {
   std::vector<CandidateLine> lines;
+  double best = std::numeric_limits<double>::infinity(), worst = -best;
   for (std::size_t i = 0; i < dwa.candidates.size(); i += stride) {
     const Candidate& candidate = dwa.candidates[i];
-    lines.push_back({rolloutOf(candidate, dwa, costs), candidate.total,
-                     candidate.verdict != Candidate::Verdict::Admissible});
+    const bool rejected = candidate.verdict != Candidate::Verdict::Admissible;
+    lines.push_back({rolloutOf(candidate, dwa, costs), candidate.total, rejected});
+    if (rejected) continue;
+    best = std::min(best, candidate.total);
+    worst = std::max(worst, candidate.total);
   }
+  for (CandidateLine& line : lines)
+    line.cost = worst > best ? (line.cost - best) / (worst - best) : 0.0;
   return lines;
 }
 
-MapBounds around(const mrpt::math::TPose2D& pose, const MapBounds& limits) {
-  return {std::max(limits.xMin_m, pose.x - 4.0), std::max(limits.yMin_m, pose.y - 3.0),
-          std::min(limits.xMax_m, pose.x + 4.0), std::min(limits.yMax_m, pose.y + 3.0)};
+/** Moves an interval of at most `length` around `middle` into [lowest, highest]. */
+std::pair<double, double> within(double lowest, double highest, double middle, double length) {
+  length = std::min(length, highest - lowest);
+  const double from = std::clamp(middle - 0.5 * length, lowest, highest - length);
+  return {from, from + length};
 }
 
 }  // namespace
 
-void CycleSnapshots::add(const CycleRecord& record, const NavigationCycle& cycle,
-                         const std::vector<SnapshotPerson>& people, const MapBounds& limits) {
-  constexpr int kWidth_px = 900, kHeight_px = 620;
-  MapPicture picture("", "", around(record.mapFromRobot, limits), {kWidth_px, kHeight_px, false});
-  const CostGrid& costs = cycle.localCosts();
-  picture.costs(costs);
-  if (record.motion.planned) picture.candidates(candidateLines(record.dwa, costs, 7), "cost J");
+MapBounds snapshotWindow(const TPoint2D& centre, const MapBounds& limits) {
+  const auto [xMin_m, xMax_m] = within(limits.xMin_m, limits.xMax_m, centre.x, 8.0);
+  const auto [yMin_m, yMax_m] = within(limits.yMin_m, limits.yMax_m, centre.y, 6.0);
+  return {xMin_m, yMin_m, xMax_m, yMax_m};
+}
+
+void drawSnapshot(MapPicture& picture, const CycleSnapshot& snapshot, const Footprint& footprint) {
+  const CycleRecord& record = snapshot.record;
+  picture.costs(snapshot.costs);
+  if (record.motion.planned)
+    picture.candidates(candidateLines(record.dwa, snapshot.costs, 7), "J, best to worst");
   picture.polyline(record.path, style::kGlobalPath, "global path");
   if (record.motion.planned && record.dwa.best >= 0)
     picture.polyline(rolloutOf(record.dwa.candidates[static_cast<std::size_t>(record.dwa.best)],
-                               record.dwa, costs),
+                               record.dwa, snapshot.costs),
                      style::kChosen, "chosen");
   for (const auto& zone : record.dangerZones)
     picture.disc(zone.centre, zone.radius_m, style::kDangerZone, "danger zone");
-  for (const auto& person : people)
+  for (const auto& person : snapshot.people)
     picture.disc(person.position, person.radius_m, style::kPerson, "person");
-  picture.outline(record.mapFromRobot, footprint_, style::kRobot, "robot");
+  picture.outline(record.mapFromRobot, footprint, style::kRobot, "robot");
+}
+
+void CycleSnapshots::add(const CycleSnapshot& snapshot, const MapBounds& limits) {
+  constexpr int kWidth_px = 900, kHeight_px = 620;
+  const CycleRecord& record = snapshot.record;
+  MapPicture picture("", "", snapshotWindow({record.mapFromRobot.x, record.mapFromRobot.y}, limits),
+                     {kWidth_px, kHeight_px, false});
+  drawSnapshot(picture, snapshot, footprint_);
 
   char caption[64];
   std::snprintf(caption, sizeof caption, "t = %.1f s, %.2f m/s", record.time_s, record.twist.vx);

@@ -59,7 +59,7 @@ void RawlogPictures::observe(const RawlogMoment& moment) {
     spots_.push_back(record.mapFromRobot.composePoint(spot.position));
   const int due = setup_.rawlog.snapshots;
   if (snapshotsTaken_ < due && moment.progress >= (snapshotsTaken_ + 0.5) / due) {
-    snapshots_.add(record, moment.cycle, {}, bounds_);
+    snapshots_.add({record, moment.cycle.localCosts(), {}}, bounds_);
     ++snapshotsTaken_;
   }
 }

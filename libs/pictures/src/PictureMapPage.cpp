@@ -34,12 +34,15 @@ MapBounds checked(const MapBounds& b, const std::string& title) {
 }  // namespace
 
 PictureMapLayout::PictureMapLayout(const MapBounds& wanted, const MapPictureOptions& options)
-    : bounds(wanted) {
+    : margin(options.axes ? kMargin : 1),
+      leftAxis(options.axes ? kLeftAxis : 0),
+      bottomAxis(options.axes ? kBottomAxis : 0),
+      bounds(wanted) {
   const double x_m = bounds.xMax_m - bounds.xMin_m, y_m = bounds.yMax_m - bounds.yMin_m;
   legendBelow = x_m / y_m >= kWideAspect;
   const int beside = options.legend && !legendBelow ? kLegendColumn : 0;
   const double room =
-      std::max(kSmallestSide, double(options.maxWidth_px - 2 * kMargin - kLeftAxis - beside));
+      std::max(kSmallestSide, double(options.maxWidth_px - 2 * margin - leftAxis - beside));
   const double roomUp = std::max(kSmallestSide, double(options.maxDataHeight_px));
   scale_pxpm = std::min(room / x_m, roomUp / y_m);
   growTo(bounds.xMin_m, bounds.xMax_m, kSmallestSide / scale_pxpm);
@@ -51,14 +54,15 @@ PictureMapLayout::PictureMapLayout(const MapBounds& wanted, const MapPictureOpti
 MapPicture::Page::Page(const std::string& title, const std::string& subtitle,
                        const MapBounds& bounds, const MapPictureOptions& options)
     : layout(checked(bounds, title), options),
-      heading(title, subtitle, kLeftAxis + layout.width),
+      heading(title, subtitle, layout.leftAxis + layout.width),
       data(layout.width, layout.height),
-      withLegend(options.legend) {
+      withLegend(options.legend),
+      withAxes(options.axes) {
   drawGrid();
 }
 
 PagePoint MapPicture::Page::origin() const {
-  return {double(kMargin + kLeftAxis), std::ceil(kMargin + heading.height())};
+  return {double(layout.margin + layout.leftAxis), std::ceil(layout.margin + heading.height())};
 }
 
 std::vector<PagePoint> MapPicture::Page::inData(
@@ -86,6 +90,7 @@ void MapPicture::Page::drawAxes(PictureCanvas& page) const {
   const PagePoint at = origin();
   const double bottom = at.y + layout.height;
   page.rectangle(at.x, at.y, layout.width, layout.height, {palette::kFrame, 0.0, 1.5});
+  if (!withAxes) return;
   for (const double x : ticksBetween(b.xMin_m, b.xMax_m, gridStep())) {
     const double column = at.x + layout.inData({x, 0.0}).x;
     page.line({column, bottom}, {column, bottom + 6.0}, frame);
@@ -102,22 +107,23 @@ void MapPicture::Page::drawAxes(PictureCanvas& page) const {
 }
 
 Picture MapPicture::Page::finished() const {
+  const int margin = layout.margin;
   const int left = static_cast<int>(origin().x), top = static_cast<int>(origin().y);
-  int pageWidth = left + layout.width + kMargin;
-  int pageHeight = top + layout.height + kBottomAxis + kMargin;
+  int pageWidth = left + layout.width + margin;
+  int pageHeight = top + layout.height + layout.bottomAxis + margin;
   const bool below = layout.legendBelow, legendShown = withLegend && !legend.empty();
   const double inner = below ? layout.width - 2.0 * kLegendPad : legend.columnWidth();
   const double legendHeight = legend.height(inner) + 2.0 * kLegendPad;
-  PagePoint corner{double(left), pageHeight - 0.5 * kMargin};
-  if (legendShown && below) pageHeight += static_cast<int>(legendHeight) + kMargin / 2;
+  PagePoint corner{double(left), pageHeight - 0.5 * margin};
+  if (legendShown && below) pageHeight += static_cast<int>(legendHeight) + margin / 2;
   if (legendShown && !below) {
     corner = {double(pageWidth), double(top)};
-    pageWidth += static_cast<int>(inner) + 2 * kLegendPad + kMargin;
-    pageHeight = std::max(pageHeight, top + static_cast<int>(legendHeight) + kMargin);
+    pageWidth += static_cast<int>(inner) + 2 * kLegendPad + margin;
+    pageHeight = std::max(pageHeight, top + static_cast<int>(legendHeight) + margin);
   }
 
   PictureCanvas page(pageWidth, pageHeight);
-  heading.draw(page, {double(kMargin), double(kMargin)});
+  heading.draw(page, {double(margin), double(margin)});
   page.paste(data, left, top);
   drawAxes(page);
   if (legendShown) {

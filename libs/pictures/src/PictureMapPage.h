@@ -17,6 +17,7 @@ struct PictureMapLayout {
     return {(p.x - bounds.xMin_m) * scale_pxpm, (bounds.yMax_m - p.y) * scale_pxpm};
   }
 
+  int margin, leftAxis, bottomAxis;  ///< around the data area
   bool legendBelow = true;
   double scale_pxpm = 1.0;
   int width = 0, height = 0;  ///< of the data area
@@ -37,7 +38,7 @@ struct MapPicture::Page {
   PictureHeading heading;
   PictureCanvas data;
   PictureLegend legend;
-  bool withLegend;
+  bool withLegend, withAxes;
 
  private:
   double gridStep() const;

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <bslnav/evaluation/RunSummary.h>
-#include <bslnav/evaluation/SimulationSetup.h>
+#include <bslnav/evaluation/RunTally.h>
 
 #include <string>
 #include <vector>
@@ -19,12 +18,5 @@ struct SeedTable {
   /** One row a run. */
   std::string csv() const;
 };
-
-/** Mean of some values and half the width of its 95 % interval (normal approximation; 0 for fewer
- * than two values). */
-struct MeanInterval {
-  double mean = 0.0, half = 0.0;
-};
-MeanInterval meanInterval(const std::vector<double>& values);
 
 }  // namespace bslnav

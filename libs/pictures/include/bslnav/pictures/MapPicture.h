@@ -26,6 +26,7 @@ struct MapPictureOptions {
   int maxWidth_px = 1400;      ///< of the page
   int maxDataHeight_px = 900;  ///< of the map in it
   bool legend = true;          ///< false for tiles, which need only one of them
+  bool axes = true;            ///< false for small tiles: no ticks and no margins, only the grid
 };
 
 /** One rollout of a planner. */

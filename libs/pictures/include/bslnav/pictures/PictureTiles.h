@@ -18,4 +18,7 @@ struct PictureTile {
 Picture tiled(const std::vector<PictureTile>& tiles, int columns, const std::string& title = "",
               const Picture& footer = {});
 
+/** Puts pictures below each other, each in the middle of the widest one's width. */
+Picture stacked(const std::vector<Picture>& pictures);
+
 }  // namespace bslnav
