@@ -1,7 +1,10 @@
 #include <bslnav/simulation/DepthNoise.h>
 #include <mrpt/math/distributions.h>
 
+#include <algorithm>
 #include <cmath>
+
+#include "VectorClones.h"
 
 namespace bslnav {
 namespace {
@@ -33,9 +36,59 @@ inline std::uint32_t hashed(std::uint32_t pixel, std::uint32_t first, std::uint3
   return hash ^ (hash >> 16);
 }
 
+/** The bits of `count` pixels from `first` on in the frame with the numbers `a` and `b`. */
+BSLNAV_VECTOR_CLONES void drawBits(std::uint32_t first, std::uint32_t a, std::uint32_t b,
+                                   std::uint32_t count, std::uint32_t* bits) {
+  for (std::uint32_t u = 0; u < count; ++u) bits[u] = hashed(first + u, a, b);
+}
+
+/** Whether each of `count` pixels is farther from its neighbour in `there` than the limit. */
+BSLNAV_VECTOR_CLONES void addSteps(const float* here, const float* there, float limit,
+                                   std::size_t count, std::int32_t* steps) {
+  // Infinity beside infinity gives NaN, which is no step.
+  for (std::size_t u = 0; u < count; ++u) steps[u] |= std::abs(here[u] - there[u]) > limit ? 1 : 0;
+}
+
+/** What is the same for all pixels; depths in units of the measurement. */
+struct PixelLimits {
+  float noise;
+  std::int32_t nearest, farthest;
+  std::int32_t dropout, edgeDropout;  // the bits of a dropout are below; the latter adds to it
+};
+
+BSLNAV_VECTOR_CLONES void measureRow(const float* depths, const float* deviations,
+                                     const std::uint32_t* bits, const std::int32_t* edges,
+                                     PixelLimits limits, std::size_t count,
+                                     std::uint16_t* measured) {
+  constexpr float kPerUnit = 1.0f / DepthNoise::kUnit_m;
+  const float beyond = static_cast<float>(limits.farthest + 1);
+  for (std::size_t u = 0; u < count; ++u) {
+    const float z = depths[u] + limits.noise * depths[u] * depths[u] * deviations[u];
+    const float units = z * kPerUnit + 0.5f;  // may be infinite or NaN
+    const float atMost = units < beyond ? units : beyond;
+    const auto depth = static_cast<std::int32_t>(atMost > 0.0f ? atMost : 0.0f);
+    const auto luck = static_cast<std::int32_t>(bits[u] & kDropoutMask);
+    const std::int32_t dropout = limits.dropout + limits.edgeDropout * edges[u];
+    const int seen = static_cast<int>(depth >= limits.nearest) &
+                     static_cast<int>(depth <= limits.farthest) & static_cast<int>(luck >= dropout);
+    measured[u] = static_cast<std::uint16_t>(depth * seen);
+  }
+}
+
 /** A probability as a threshold for the bits of a dropout. */
 std::int32_t threshold(double probability) {
   return static_cast<std::int32_t>(std::lround(probability * (1U << kDropoutBits)));
+}
+
+PixelLimits limitsOf(const DepthCameraParameters& p) {
+  const std::int32_t dropout = threshold(p.dropoutProbability);
+  const double atEdge = 1.0 - (1.0 - p.dropoutProbability) * (1.0 - p.edgeDropoutProbability);
+  const auto units = [](double depth_m) {
+    return static_cast<std::int32_t>(
+        std::lround(depth_m / static_cast<double>(DepthNoise::kUnit_m)));
+  };
+  return {static_cast<float>(p.noiseCoefficient), units(p.minRange_m), units(p.maxRange_m), dropout,
+          threshold(atEdge) - dropout};
 }
 
 }  // namespace
@@ -47,56 +100,32 @@ DepthNoise::DepthNoise(const DepthCameraParameters& parameters,
   bits_.resize(columns);
   deviations_.resize(columns);
   edges_.resize(columns);
-  steps_.resize(columns + 1);  // steps_[u] lies left of column u; none at the picture's borders
 }
 
 void DepthNoise::measure(const DepthPicture& picture, std::uint16_t* measured) {
-  for (auto& number : frame_) number = stream_.drawUniform32bit();
+  const std::size_t n = picture.columns;
+  const PixelLimits limits = limitsOf(parameters_);
+  const std::uint32_t a = stream_.drawUniform32bit(), b = stream_.drawUniform32bit();
   for (std::size_t row = 0; row < picture.rows; ++row) {
-    const std::size_t first = row * picture.columns;
+    const float* depths = picture.depths + row * n;
     findEdges(picture, row);
-    drawBits(first);
-    measureRow(picture.depths + first, measured + first);
+    drawBits(static_cast<std::uint32_t>(row * n), a, b, static_cast<std::uint32_t>(n),
+             bits_.data());
+    for (std::size_t u = 0; u < n; ++u) deviations_[u] = quantiles_[bits_[u] >> kDropoutBits];
+    measureRow(depths, deviations_.data(), bits_.data(), edges_.data(), limits, n,
+               measured + row * n);
   }
 }
 
 void DepthNoise::findEdges(const DepthPicture& picture, std::size_t row) {
   const std::size_t n = picture.columns;
   const float* here = picture.depths + row * n;
-  const float* above = row > 0 ? here - n : here;
-  const float* below = row + 1 < picture.rows ? here + n : here;
   const auto limit = static_cast<float>(parameters_.edgeStep_m);
-  // Infinity beside infinity gives NaN, which is no edge.
-  const auto isStep = [limit](float a, float b) -> std::int32_t {
-    return std::abs(a - b) > limit ? 1 : 0;
-  };
-  for (std::size_t u = 1; u < n; ++u) steps_[u] = isStep(here[u - 1], here[u]);
-  for (std::size_t u = 0; u < n; ++u)
-    edges_[u] = isStep(above[u], here[u]) | isStep(below[u], here[u]) | steps_[u] | steps_[u + 1];
-}
-
-void DepthNoise::drawBits(std::size_t firstPixel) {
-  const auto first = static_cast<std::uint32_t>(firstPixel);
-  const std::uint32_t a = frame_[0], b = frame_[1];
-  const auto n = static_cast<std::uint32_t>(bits_.size());
-  for (std::uint32_t u = 0; u < n; ++u) bits_[u] = hashed(first + u, a, b);
-  for (std::uint32_t u = 0; u < n; ++u) deviations_[u] = quantiles_[bits_[u] >> kDropoutBits];
-}
-
-void DepthNoise::measureRow(const float* depths, std::uint16_t* measured) {
-  const double stays = 1.0 - parameters_.dropoutProbability;
-  const std::int32_t plain = threshold(parameters_.dropoutProbability);
-  const std::int32_t atEdge =
-      threshold(1.0 - stays * (1.0 - parameters_.edgeDropoutProbability)) - plain;
-  const auto coefficient = static_cast<float>(parameters_.noiseCoefficient);
-  const auto minimum = static_cast<float>(parameters_.minRange_m);
-  const auto maximum = static_cast<float>(parameters_.maxRange_m);
-  for (std::size_t u = 0; u < bits_.size(); ++u) {
-    const float z = depths[u] + coefficient * depths[u] * depths[u] * deviations_[u];
-    const auto luck = static_cast<std::int32_t>(bits_[u] & kDropoutMask);
-    const bool seen = (z >= minimum) & (z <= maximum) & (luck >= plain + atEdge * edges_[u]);
-    measured[u] = static_cast<std::uint16_t>(static_cast<int>((seen ? z : 0.0f) / kUnit_m + 0.5f));
-  }
+  std::fill(edges_.begin(), edges_.end(), 0);
+  if (row > 0) addSteps(here, here - n, limit, n, edges_.data());
+  if (row + 1 < picture.rows) addSteps(here, here + n, limit, n, edges_.data());
+  addSteps(here, here + 1, limit, n - 1, edges_.data());
+  addSteps(here + 1, here, limit, n - 1, edges_.data() + 1);
 }
 
 }  // namespace bslnav

@@ -30,7 +30,7 @@ void ExtrudedMesh::add(const std::vector<TPoint2D>& polygon, double zMin_m, doub
     triangles.push_back({lower(i), upper(i + 1), upper(i)});
   }
   for (unsigned i = 1; i + 1 < n; ++i) {
-    triangles.push_back({lower(0), lower(i + 1), lower(i)});
+    if (zMin_m > 0.0) triangles.push_back({lower(0), lower(i + 1), lower(i)});
     triangles.push_back({upper(0), upper(i), upper(i + 1)});
   }
 }

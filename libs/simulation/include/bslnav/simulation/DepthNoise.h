@@ -33,17 +33,14 @@ class DepthNoise {
 
  private:
   void findEdges(const DepthPicture& picture, std::size_t row);
-  void drawBits(std::size_t firstPixel);
-  void measureRow(const float* depths, std::uint16_t* measured);
 
   DepthCameraParameters parameters_;
   mrpt::random::CRandomGenerator stream_;
-  std::uint32_t frame_[2] = {0, 0};  // this frame's numbers
-  std::vector<float> quantiles_;     // of the standard normal distribution
-  // Of the row at work: random bits, deviations in standard deviations, at an edge or not.
+  std::vector<float> quantiles_;  // of the standard normal distribution
+  // Of the row at work: random bits, noise in standard deviations, 1 at an edge.
   std::vector<std::uint32_t> bits_;
   std::vector<float> deviations_;
-  std::vector<std::int32_t> steps_, edges_;
+  std::vector<std::int32_t> edges_;
 };
 
 }  // namespace bslnav
