@@ -42,7 +42,7 @@ void addDriven(const RunSummary& s, Rows& rows) {
 
 /** What only an offline evaluation has. */
 void addEvaluated(const RunSummary& s, const RawlogFindings& f, Rows& rows) {
-  rows.emplace_back("evaluated", std::to_string(s.cycles) + " frames" +
+  rows.emplace_back("evaluated", std::to_string(s.cycles) + (s.cycles == 1 ? " frame" : " frames") +
                                      (s.reason.empty() ? std::string() : "; " + s.reason));
   rows.emplace_back(
       "recorded",
