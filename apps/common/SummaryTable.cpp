@@ -42,11 +42,12 @@ void addDriven(const RunSummary& s, Rows& rows) {
 
 /** What only an offline evaluation has. */
 void addEvaluated(const RunSummary& s, const RawlogFindings& f, Rows& rows) {
-  rows.emplace_back("evaluated", std::to_string(s.cycles) + " scans" +
+  rows.emplace_back("evaluated", std::to_string(s.cycles) + (s.cycles == 1 ? " frame" : " frames") +
                                      (s.reason.empty() ? std::string() : "; " + s.reason));
-  rows.emplace_back("recorded",
-                    text("%.1f s", f.recorded_s) + text(", %.1f m", f.recordedPath_m) +
-                        text(", %.1f %% of the beams unusable", f.unusableBeams_percent));
+  rows.emplace_back(
+      "recorded",
+      text("%.1f s", f.recorded_s) + text(", %.1f m, ", f.recordedPath_m) + measurementsOf(f) +
+          (f.scans > 0 ? text(", %.1f %% of the beams unusable", f.unusableBeams_percent) : ""));
   rows.emplace_back("localisation", text("%.3f m mean spread", f.meanSpread_m));
   rows.emplace_back(
       "planner",

@@ -44,6 +44,19 @@ TEST_F(RawlogApp, TheSameCommandGivesTheSameBytes) {
   EXPECT_EQ(withoutTimings(summary("first")), withoutTimings(summary("second")));
 }
 
+TEST_F(RawlogApp, EvaluatesALogOfDepthFramesOnly) {
+  const std::string log = BSLNAV_SHARED_DATA "/depth/five_people_depth.rawlog";
+  if (!exists(log)) GTEST_SKIP() << log << " is not here";
+  const AppResult result = evaluate({"--rawlog", log});
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("0.0 s, 0.0 m, 1 depth frame\n"));
+  EXPECT_EQ(summary()["cycles"], 1);
+  EXPECT_EQ(summary()["rawlog"]["depth_frames"], 1);
+  EXPECT_EQ(summary()["rawlog"]["scans"], 0);
+  for (const char* picture : {"path.png", "comparison.png"})
+    EXPECT_THAT(readFile(out(picture)), StartsWith("\x89PNG")) << picture;
+}
+
 TEST_F(RawlogApp, ATruncatedLogIsEvaluatedUpToThereWithAWarning) {
   const std::string whole = readFile(kLog);
   const std::string cut = write("cut.rawlog", whole.substr(0, whole.size() * 2 / 3));
@@ -70,10 +83,10 @@ TEST_F(RawlogApp, RefusesAFileThatIsNoRawlog) {
   EXPECT_THAT(result.err, HasSubstr(file + ": is not a rawlog"));
 }
 
-TEST_F(RawlogApp, RefusesALogWithoutScans) {
+TEST_F(RawlogApp, RefusesALogWithoutScansAndDepth) {
   const AppResult result = evaluate({"--rawlog", "/usr/share/mrpt/datasets/kf-slam_demo.rawlog"});
   EXPECT_EQ(result.exitCode, 1);
-  EXPECT_THAT(result.err, HasSubstr("no 2D laser scan"));
+  EXPECT_THAT(result.err, HasSubstr("neither a 2D laser scan nor a depth frame"));
 }
 
 TEST_F(RawlogApp, RefusesMissingFiles) {

@@ -123,12 +123,20 @@ TEST_F(RunRecorderTest, SummaryOfALogTellsAboutTheLog) {
   RunSummary summary;
   summary.rawlog.emplace();
   summary.rawlog->truncatedAtRecord = 12;
+  summary.rawlog->frames = 42;
+  summary.rawlog->scans = 37;
+  summary.rawlog->depthFrames = 7;
+  summary.rawlog->droppedDepthFrames = 2;
   summary.rawlog->clockJumpsAtRecords = {3, 5};
   summary.rawlog->recorded_s = 50.0;
   summary.rawlog->wall_s = 2.0;
   RunRecorder(directory, config).finish(summary);
   const auto json = nlohmann::json::parse(textOf(directory + "/summary.json"))["rawlog"];
   EXPECT_EQ(json["truncated_at_record"], 12);
+  EXPECT_EQ(json["frames"], 42);
+  EXPECT_EQ(json["scans"], 37);
+  EXPECT_EQ(json["depth_frames"], 7);
+  EXPECT_EQ(json["dropped_depth_frames"], 2);
   EXPECT_EQ(json["clock_jumps_at_records"], (std::vector<int>{3, 5}));
   EXPECT_EQ(json["times_faster_than_recording"], 25.0);
 }

@@ -84,5 +84,14 @@ TEST(Metrics, NothingAddedIsAllZero) {
   EXPECT_EQ(summary.cycle_ms.max, 0.0);
 }
 
+TEST(RunSummary, NamesWhatALogHeld) {
+  RawlogFindings findings;
+  EXPECT_EQ(measurementsOf(findings), "0 scans");
+  findings.depthFrames = 1;
+  EXPECT_EQ(measurementsOf(findings), "1 depth frame");
+  findings.scans = 12;
+  EXPECT_EQ(measurementsOf(findings), "12 scans, 1 depth frame");
+}
+
 }  // namespace
 }  // namespace bslnav

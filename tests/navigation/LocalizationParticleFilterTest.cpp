@@ -179,6 +179,22 @@ TEST_F(ParticleFilter, PassesOverScansOfLessThanTwoBeams) {
   }
 }
 
+TEST_F(ParticleFilter, PredictsOverFramesThatHoldDepthOnly) {
+  // 1 m ahead in five frames without any scan; noise as above, and 1 cm of every frame.
+  ParticleFilterLocalization localization(parameters_, map_, kInitialPose, 1);
+  SensorFrame frame;
+  frame.depth = {std::make_shared<mrpt::obs::CObservation3DRangeScan>()};
+  const TPose2D before = localization.update(frame);
+  const double spread_m = localization.spread_m();
+  TPose2D after;
+  for (int i = 1; i <= 5; ++i) {
+    frame.odometry.x = 0.2 * i;
+    after = localization.update(frame);
+  }
+  EXPECT_NEAR(std::hypot(after.x - before.x, after.y - before.y), 1.0, 0.03);
+  EXPECT_GT(localization.spread_m(), spread_m);
+}
+
 TEST_F(ParticleFilter, RefusesAnInitialPoseOutsideTheMap) {
   EXPECT_THROW(ParticleFilterLocalization(parameters_, map_, {1000, 0, 0}, 1), Error);
 }

@@ -1,6 +1,7 @@
 #include <bslnav/navigation/RawlogReader.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -49,6 +50,43 @@ INSTANTIATE_TEST_SUITE_P(
                 2.1, 1.5},
         Dataset{"MitCsail", BSLNAV_SHARED_DATA "/laser/mit-csail_fixed.rawlog", 1988, 3976, 424.0,
                 373.6, 3.3, 3.5}),
+    [](const auto& dataset) { return dataset.param.name; });
+
+/** A recorded log of one depth observation and nothing else. */
+struct DepthDataset {
+  std::string name, file, label;
+  bool calibrated;
+};
+
+class RawlogReaderDepthDatasets : public testing::TestWithParam<DepthDataset> {};
+
+TEST_P(RawlogReaderDepthDatasets, HoldsOneDepthFrame) {
+  const DepthDataset& known = GetParam();
+  if (!std::filesystem::exists(known.file)) GTEST_SKIP() << known.file << " is not here";
+  RawlogReader reader(known.file);
+  SensorFrame frame;
+  ASSERT_TRUE(reader.next(frame));
+  ASSERT_EQ(frame.depth.size(), 1u);
+  EXPECT_TRUE(frame.scans.empty());
+  const auto& depth = *frame.depth[0];
+  EXPECT_EQ(depth.sensorLabel, known.label);
+  EXPECT_EQ(depth.rangeImage.cols(), 640);
+  EXPECT_EQ(depth.rangeImage.rows(), 480);
+  EXPECT_EQ(depth.cameraParams.fx() > 0.0, known.calibrated);
+  const auto* pixels = depth.rangeImage.data();
+  EXPECT_GT(*std::max_element(pixels, pixels + depth.rangeImage.size()), 0);
+  EXPECT_FALSE(reader.next(frame));
+  EXPECT_EQ(reader.statistics().depthFrames, 1u);
+  EXPECT_EQ(reader.statistics().droppedDepthFrames, 0u);
+  EXPECT_FALSE(reader.statistics().truncated);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Recorded, RawlogReaderDepthDatasets,
+    testing::Values(DepthDataset{"FivePeople", BSLNAV_SHARED_DATA "/depth/five_people_depth.rawlog",
+                                 "DEPTH", true},
+                    DepthDataset{"TestsRgbd", BSLNAV_SHARED_DATA "/depth/tests_rgbd.rawlog",
+                                 "OPENNI2", true}),
     [](const auto& dataset) { return dataset.param.name; });
 
 }  // namespace

@@ -57,9 +57,17 @@ TEST(RawlogReaderErrors, RefusesText) {
                 "is not a rawlog");
 }
 
-TEST(RawlogReaderErrors, RefusesALogWithoutScans) {
+TEST(RawlogReaderErrors, RefusesALogWithoutScansAndDepth) {
   const auto file = LogWriter("no_scans").odometry(0.0, {}).odometry(0.1, {}).close();
-  expectRefused(file, Error::Kind::Run, "no 2D laser scan in 2 records");
+  expectRefused(file, Error::Kind::Run, "neither a 2D laser scan nor a depth frame in 2 records");
+}
+
+TEST(RawlogReaderErrors, RefusesALogWhoseOnlyDepthHasNoRangeImage) {
+  auto empty = testing_logs::makeDepth(0.0);
+  empty.hasRangeImage = false;
+  const auto file = LogWriter("no_range_image").odometry(0.0, {}).add(empty).add(empty).close();
+  expectRefused(file, Error::Kind::Run,
+                "none of its 2 depth frames has a range image; the first: record 1");
 }
 
 TEST(RawlogReaderErrors, RefusesALogCutInItsFirstRecord) {
@@ -74,6 +82,18 @@ TEST(RawlogReaderErrors, ReadsACutLogUpToTheCut) {
   std::filesystem::resize_file(file, std::filesystem::file_size(file) * 19 / 20);
   const auto statistics = read(file).statistics;
   EXPECT_EQ(statistics.frames, 9u);
+  EXPECT_TRUE(statistics.truncated);
+  EXPECT_EQ(statistics.truncatedAtRecord, 9u);
+}
+
+TEST(RawlogReaderErrors, ReadsACutLogWithDepthUpToTheCut) {
+  // As above: nine whole records, and half of record 9.
+  LogWriter writer("cut_depth", 0);
+  for (int i = 0; i < 10; ++i) writer.depth(0.1 * i);
+  const auto file = writer.close();
+  std::filesystem::resize_file(file, std::filesystem::file_size(file) * 19 / 20);
+  const auto statistics = read(file).statistics;
+  EXPECT_EQ(statistics.depthFrames, 9u);
   EXPECT_TRUE(statistics.truncated);
   EXPECT_EQ(statistics.truncatedAtRecord, 9u);
 }

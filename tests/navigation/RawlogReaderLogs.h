@@ -7,6 +7,7 @@
 #include <mrpt/obs/CActionCollection.h>
 #include <mrpt/obs/CActionRobotMovement2D.h>
 #include <mrpt/obs/CObservation2DRangeScan.h>
+#include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/obs/CObservationOdometry.h>
 #include <mrpt/obs/CSensoryFrame.h>
 #include <mrpt/serialization/CArchive.h>
@@ -32,6 +33,22 @@ inline mrpt::obs::CObservation2DRangeScan makeScan(std::optional<double> time_s,
   return scan;
 }
 
+/** A calibrated depth observation of 32 × 24 pixels, all at the same depth. */
+inline mrpt::obs::CObservation3DRangeScan makeDepth(std::optional<double> time_s,
+                                                    const std::string& label = "CAMERA",
+                                                    std::uint16_t depth_mm = 1500) {
+  mrpt::obs::CObservation3DRangeScan depth;
+  depth.sensorLabel = label;
+  depth.timestamp = time_s ? mrpt::Clock::fromDouble(kStart_s + *time_s) : INVALID_TIMESTAMP;
+  depth.cameraParams.ncols = 32;
+  depth.cameraParams.nrows = 24;
+  depth.cameraParams.setIntrinsicParamsFromValues(30.0, 30.0, 15.5, 11.5);
+  depth.hasRangeImage = true;
+  depth.rangeImage_setSize(24, 32);
+  depth.rangeImage.fill(depth_mm);
+  return depth;
+}
+
 /** Writes a small rawlog record by record; close() before reading it. */
 class LogWriter {
  public:
@@ -45,6 +62,9 @@ class LogWriter {
   }
   LogWriter& scan(std::optional<double> time_s, const std::string& label = "LASER") {
     return add(makeScan(time_s, label));
+  }
+  LogWriter& depth(std::optional<double> time_s, const std::string& label = "CAMERA") {
+    return add(makeDepth(time_s, label));
   }
   LogWriter& odometry(double time_s, const mrpt::math::TPose2D& pose) {
     mrpt::obs::CObservationOdometry reading;

@@ -80,6 +80,54 @@ TEST(RawlogReaderTime, TakesTwoSensorsSlightlyOutOfOrderForNoJump) {
   EXPECT_TRUE(log.statistics.clockJumps.empty());
 }
 
+TEST(RawlogReaderTime, TakesACameraThatOvertakesALaserForNoJump) {
+  // Two scans in a row are older than the depth frame before them, yet the laser's clock goes on.
+  const auto log = read(LogWriter("overtaken")
+                            .scan(0.00)
+                            .depth(0.30)
+                            .scan(0.20)
+                            .scan(0.25)
+                            .depth(0.40)
+                            .scan(0.30)
+                            .close());
+  ASSERT_EQ(log.frames.size(), 6u);
+  const double expected_s[] = {0.0, 0.3, 0.3, 0.3, 0.4, 0.4};
+  for (std::size_t i = 0; i < 6; ++i)
+    EXPECT_NEAR(log.frames[i].time_s, expected_s[i], kStampTolerance_s) << i;
+  EXPECT_TRUE(log.statistics.clockJumps.empty());
+  EXPECT_EQ(log.statistics.equalTimeStamps, 3u);
+}
+
+TEST(RawlogReaderTime, TellsALaserAndACameraOfTheSameLabelApart) {
+  const auto log = read(LogWriter("same_label").scan(0.0, "").depth(0.3, "").scan(0.2, "").close());
+  EXPECT_TRUE(log.statistics.clockJumps.empty());
+}
+
+TEST(RawlogReaderTime, CountsOneJumpWhenTheClockOfAllSensorsGoesBack) {
+  // Back by 6 s at the scan; the depth frame after it is 0.05 s older, which is out of order only.
+  const auto log = read(LogWriter("all_back")
+                            .scan(10.0)
+                            .depth(10.1)
+                            .scan(4.1)
+                            .depth(4.05)
+                            .scan(4.2)
+                            .depth(4.15)
+                            .close());
+  ASSERT_EQ(log.frames.size(), 6u);
+  ASSERT_EQ(log.statistics.clockJumps.size(), 1u);
+  EXPECT_EQ(log.statistics.clockJumps[0].record, 2u);
+  EXPECT_NEAR(log.frames[5].time_s, 0.2, kStampTolerance_s);  // 0.1 before the jump, 0.1 after it
+}
+
+TEST(RawlogReaderTime, GoesOnAfterOneStampFarAhead) {
+  // The depth frame is an hour ahead, by mistake: a jump there, one back, and time does not stand.
+  const auto log =
+      read(LogWriter("ahead").scan(0.0).depth(3600.0).scan(0.1).scan(0.2).depth(0.25).close());
+  ASSERT_EQ(log.frames.size(), 5u);
+  EXPECT_EQ(log.statistics.clockJumps.size(), 2u);
+  EXPECT_NEAR(log.frames[4].time_s - log.frames[2].time_s, 0.15, kStampTolerance_s);
+}
+
 TEST(RawlogReaderTime, KeepsTimeAndTwistOverEqualTimeStamps) {
   const auto log = read(LogWriter("equal")
                             .sensoryFrame(0.0)
@@ -105,7 +153,6 @@ TEST(RawlogReaderTime, GivesScansWithoutTimeStampTheTimeOfTheFrameBefore) {
 }
 
 /** Whatever the clock did: one frame a scan, in order, and a time that never decreases. */
-
 RC_GTEST_PROP(RawlogReaderTime, TimeNeverDecreases, ()) {
   const auto ticks = *rc::gen::container<std::vector<int>>(12, rc::gen::inRange(-20, 60));
   LogWriter writer("law");
@@ -119,6 +166,26 @@ RC_GTEST_PROP(RawlogReaderTime, TimeNeverDecreases, ()) {
         log.frames[i].time_s -
         (mrpt::Clock::toDouble(log.frames[i].scans[0]->timestamp) - log.frames[i].startTime_s);
     RC_ASSERT(std::abs(age_s) < kStampTolerance_s);
+  }
+}
+
+/** The same with a camera beside the laser; what was overtaken may be older than its frame. */
+RC_GTEST_PROP(RawlogReaderTime, TimeNeverDecreasesWithTwoSensors, ()) {
+  const auto ticks = *rc::gen::container<std::vector<int>>(12, rc::gen::inRange(-20, 60));
+  const auto fromCamera = *rc::gen::container<std::vector<bool>>(12, rc::gen::arbitrary<bool>());
+  LogWriter writer("law_two");
+  for (std::size_t i = 0; i < ticks.size(); ++i)
+    fromCamera[i] ? writer.depth(0.1 * ticks[i]) : writer.scan(0.1 * ticks[i]);
+  const auto log = read(writer.close());
+  RC_ASSERT(log.frames.size() == ticks.size());
+  for (std::size_t i = 0; i < log.frames.size(); ++i) {
+    const SensorFrame& frame = log.frames[i];
+    RC_ASSERT(frame.depth.size() == (fromCamera[i] ? 1u : 0u));
+    if (i > 0) RC_ASSERT(frame.time_s >= log.frames[i - 1].time_s);
+    const auto stamp = fromCamera[i] ? frame.depth[0]->timestamp : frame.scans[0]->timestamp;
+    const double age_s = frame.time_s - (mrpt::Clock::toDouble(stamp) - frame.startTime_s);
+    RC_ASSERT(age_s > -kStampTolerance_s);
+    RC_ASSERT(age_s < 0.5);  // what is older is a clock that went back
   }
 }
 

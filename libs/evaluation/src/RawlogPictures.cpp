@@ -17,12 +17,12 @@ std::string titleOf(const RawlogFindings& findings, const RunSummary& summary) {
 
 std::string subtitleOf(const RawlogFindings& f, const RunSummary& summary) {
   char text[160];
-  std::snprintf(text, sizeof text, "%.0f s, %.1f m, %ld scans, %.1f blind spots a scan",
-                f.recorded_s, f.recordedPath_m, f.frames, summary.blindSpotsMean);
+  std::snprintf(text, sizeof text, "%.0f s, %.1f m, %s, %.1f blind spots a cycle", f.recorded_s,
+                f.recordedPath_m, measurementsOf(f).c_str(), summary.blindSpotsMean);
   return text + (summary.reason.empty() ? std::string() : "; " + summary.reason);
 }
 
-/** The speed that 99 of 100 scans stay below: a single odometry glitch must not take all colour
+/** The speed that 99 of 100 cycles stay below: a single odometry glitch must not take all colour
  * from a path. */
 double usualTop(std::vector<double> speeds) {
   if (speeds.empty()) return 0.0;
@@ -70,8 +70,7 @@ MapPicture RawlogPictures::pathPicture(const RunSummary& summary) const {
   const std::size_t stride =
       1 + spots_.size() / 20000;  // enough to see where, few enough to see through
   for (std::size_t i = 0; i < spots_.size(); i += stride)
-    picture.disc(spots_[i], 0.05, {palette::kOrange, i == 0 ? 0.6 : 0.15, 0.0},
-                 "blind spot (scan jump)");
+    picture.disc(spots_[i], 0.05, {palette::kOrange, i == 0 ? 0.6 : 0.15, 0.0}, "blind spot");
   picture.trajectory(positions_, recorded_mps_, std::max(0.1, usualTop(recorded_mps_)),
                      "recorded path");
   if (!positions_.empty()) {
@@ -95,8 +94,8 @@ std::vector<std::string> RawlogPictures::save(const RunSummary& summary,
   chart.panel("turning rate [rad/s]");
   chart.series("recorded", time_s_, recorded_radps_, recorded);
   chart.series("the planner's choice", time_s_, chosen_radps_, chosen);
-  chart.panel("blind spots a scan");
-  chart.series("scan jumps", time_s_, blindSpots_,
+  chart.panel("blind spots a cycle");
+  chart.series("blind spots", time_s_, blindSpots_,
                {SeriesStyle::Form::Steps, palette::kOrange, 1.5, false});
   chart.save(paths[1]);
 

@@ -1,3 +1,4 @@
+#include <bslnav/config/Error.h>
 #include <bslnav/costmap/MapLoader.h>
 #include <bslnav/evaluation/RawlogRun.h>
 #include <bslnav/navigation/Localization.h>
@@ -31,12 +32,20 @@ std::shared_ptr<const mrpt::maps::COccupancyGridMap2D> mapFromLog(const RawlogSe
     const mrpt::poses::CPose3D pose(path.poseAt(frame.time_s));
     for (const auto& scan : frame.scans) map->insertObservation(usableScan(*scan), pose);
   }
+  if (reader.statistics().scans == 0)
+    throw Error(setup.rawlog.file,
+                "has no 2D laser scan to build a map from; expected [rawlog] map = none or a file",
+                Error::Kind::Run);
   return map;
 }
 
 void takeOver(const RawlogStatistics& statistics, RawlogFindings& findings) {
   findings.records = static_cast<long>(statistics.entries);
   findings.frames = static_cast<long>(statistics.frames);
+  findings.scans = static_cast<long>(statistics.scans);
+  findings.depthFrames = static_cast<long>(statistics.depthFrames);
+  findings.droppedDepthFrames = static_cast<long>(statistics.droppedDepthFrames);
+  findings.firstDroppedDepth = statistics.firstDroppedDepth;
   findings.unusableBeams_percent = statistics.unusableBeams_percent();
   findings.hasOdometry = statistics.hasOdometry;
   if (statistics.truncated)
@@ -72,6 +81,9 @@ std::string warnings(const RawlogFindings& findings) {
   if (findings.truncatedAtRecord)
     add("the log is truncated: evaluated up to record " +
         std::to_string(*findings.truncatedAtRecord));
+  if (findings.droppedDepthFrames > 0)
+    add(std::to_string(findings.droppedDepthFrames) +
+        " depth frames dropped, the first: " + findings.firstDroppedDepth);
   if (!findings.hasOdometry) add("the log has no odometry: the robot seems to stand");
   if (!findings.clockJumpsAtRecords.empty())
     add(std::to_string(findings.clockJumpsAtRecords.size()) + " clock jumps, the first at record " +

@@ -28,6 +28,16 @@ const char* nameOf(Outcome outcome) {
   return kNames[static_cast<int>(outcome)];
 }
 
+std::string measurementsOf(const RawlogFindings& findings) {
+  const auto counted = [](long count, const std::string& what) {
+    return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+  };
+  const std::string scans = counted(findings.scans, "scan");
+  const std::string depth = counted(findings.depthFrames, "depth frame");
+  if (findings.depthFrames == 0) return scans;
+  return findings.scans == 0 ? depth : scans + ", " + depth;
+}
+
 void Metrics::add(const CycleRecord& record, const mrpt::math::TPoint2D& position, double speed_mps,
                   double period_s) {
   if (cycles_ > 0) {

@@ -6,11 +6,12 @@
 #include <mrpt/obs/CActionCollection.h>
 #include <mrpt/obs/CActionRobotMovement2D.h>
 #include <mrpt/obs/CSensoryFrame.h>
-#include <mrpt/random/RandomGenerators.h>
 #include <mrpt/slam/CMonteCarloLocalization2D.h>
 
 #include <cmath>
 #include <sstream>
+
+#include "OwnGenerator.h"
 
 namespace bslnav {
 namespace {
@@ -111,6 +112,9 @@ void ParticleFilterParameters::describe(ConfigSection& section) {
 }
 
 struct ParticleFilterLocalization::Filter {
+  explicit Filter(std::uint32_t seed) : generator(seed) {}
+
+  mrpt::random::CRandomGenerator generator;
   ParticleFilterParameters parameters;
   CActionRobotMovement2D::TMotionModelOptions motion;
   mrpt::bayes::CParticleFilter algorithm;
@@ -131,9 +135,9 @@ ParticleFilterLocalization::ParticleFilterLocalization(
     const ParticleFilterParameters& parameters,
     const std::shared_ptr<const COccupancyGridMap2D>& map, const TPose2D& initialPose,
     std::uint32_t seed)
-    : filter_(std::make_unique<Filter>()) {
+    : filter_(std::make_unique<Filter>(seed)) {
   checkInside(*map, initialPose);
-  mrpt::random::getRandomGenerator().randomize(seed);
+  const OwnGenerator draw(filter_->generator);
   filter_->parameters = parameters;
   filter_->motion = motionModel(parameters);
   filter_->algorithm.m_options.resamplingMethod = mrpt::bayes::CParticleFilter::prSystematic;
@@ -148,6 +152,7 @@ ParticleFilterLocalization::ParticleFilterLocalization(
 ParticleFilterLocalization::~ParticleFilterLocalization() = default;
 
 TPose2D ParticleFilterLocalization::update(const SensorFrame& frame) {
+  const OwnGenerator draw(filter_->generator);
   mrpt::obs::CSensoryFrame scans;
   for (const auto& scan : frame.scans)
     if (scan->getScanSize() >= kFewestBeams)

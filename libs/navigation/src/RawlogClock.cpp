@@ -7,24 +7,29 @@ constexpr double kOutOfOrder_s = 0.5;  // how late a driver may deliver what ano
 
 }  // namespace
 
+bool RawlogClock::wentBack(double stamp_s, const std::string& sensor) const {
+  if (step_s_ <= -kOutOfOrder_s) return true;
+  const auto known = newest_s_.find(sensor);
+  return known != newest_s_.end() && stamp_s < known->second;
+}
+
 RawlogClock::Step RawlogClock::advance(std::optional<double> stamp_s, const std::string& sensor) {
-  const bool sameSensor = sensor == sensor_;
-  sensor_ = sensor;
   step_s_ = 0.0;
   if (!stamp_s) return Step::Missing;
-  if (!startTime_s_) {
-    startTime_s_ = *stamp_s - time_s_;
-    return Step::Forward;
-  }
+  const bool first = !startTime_s_;
+  if (first) startTime_s_ = *stamp_s - time_s_;
   step_s_ = *stamp_s - (*startTime_s_ + time_s_);
-  if (step_s_ < 0.0) {
-    if (!sameSensor && step_s_ > -kOutOfOrder_s) return Step::None;
+  const bool back = wentBack(*stamp_s, sensor);
+  if (back) newest_s_.clear();
+  newest_s_[sensor] = *stamp_s;
+  if (back) {
     startTime_s_ = *stamp_s - time_s_;
     return Step::Jump;
   }
+  if (first) return Step::Forward;
+  if (step_s_ <= 0.0) return Step::None;
   time_s_ = *stamp_s - *startTime_s_;
-  if (step_s_ > gap_s_) return Step::Jump;
-  return step_s_ > 0.0 ? Step::Forward : Step::None;
+  return step_s_ > gap_s_ ? Step::Jump : Step::Forward;
 }
 
 }  // namespace bslnav

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 
@@ -18,8 +19,8 @@ class RawlogClock {
   explicit RawlogClock(double gap_s) : gap_s_(gap_s) {}
 
   /** @param stamp_s seconds since MRPT's epoch, if there is a time stamp
-   *  @param sensor two sensors may be logged slightly out of order; one sensor going back is a jump
-   */
+   *  @param sensor sensors may be logged slightly out of order, as when a camera takes longer to
+   *  deliver than a laser; one sensor that goes back is a jump */
   Step advance(std::optional<double> stamp_s, const std::string& sensor);
 
   double time_s() const { return time_s_; }
@@ -27,10 +28,12 @@ class RawlogClock {
   double step_s() const { return step_s_; }  ///< between the last two stamps, also when negative
 
  private:
+  bool wentBack(double stamp_s, const std::string& sensor) const;
+
   double gap_s_;
   double time_s_ = 0.0, step_s_ = 0.0;
   std::optional<double> startTime_s_;
-  std::string sensor_;
+  std::map<std::string, double> newest_s_;  // stamp of every sensor, since the clock last went back
 };
 
 }  // namespace bslnav

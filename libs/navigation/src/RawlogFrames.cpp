@@ -2,8 +2,11 @@
 
 #include <mrpt/core/Clock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include "RawlogDepth.h"
 
 namespace bslnav {
 namespace {
@@ -12,12 +15,26 @@ using mrpt::math::TPose2D;
 using mrpt::math::TTwist2D;
 using mrpt::obs::CObservation2DRangeScan;
 
-constexpr std::size_t kMostWaitingScans = 32;  // for odometry that comes late or never
+constexpr std::size_t kMostWaiting = 32;  // records, for odometry that comes late or never
 
-std::optional<double> stampOf(const RawlogFrames::Scans& scans) {
-  for (const auto& scan : scans)
-    if (scan->timestamp != INVALID_TIMESTAMP) return mrpt::Clock::toDouble(scan->timestamp);
+/** All of them, scans first. */
+std::vector<mrpt::obs::CObservation*> observationsOf(const RawlogMeasurements& measurements) {
+  std::vector<mrpt::obs::CObservation*> all;
+  for (const auto& scan : measurements.scans) all.push_back(scan.get());
+  for (const auto& depth : measurements.depth) all.push_back(depth.get());
+  return all;
+}
+
+std::optional<double> stampOf(const std::vector<mrpt::obs::CObservation*>& observations) {
+  for (const auto* observation : observations)
+    if (observation->timestamp != INVALID_TIMESTAMP)
+      return mrpt::Clock::toDouble(observation->timestamp);
   return std::nullopt;
+}
+
+/** A laser and a camera may share a label, often the empty one. */
+std::string nameOfSensor(const mrpt::obs::CObservation& observation) {
+  return observation.GetRuntimeClass()->className + (" " + observation.sensorLabel);
 }
 
 bool isUsable(const CObservation2DRangeScan& scan, std::size_t beam) {
@@ -52,19 +69,34 @@ void RawlogFrames::addReading(const TPose2D& pose, std::optional<double> stamp_s
   release(false);
 }
 
-void RawlogFrames::addScans(Scans scans) {
-  lastStamp_s_ = stampOf(scans).value_or(lastStamp_s_);
-  waiting_.push_back({statistics.entries - 1, lastStamp_s_, std::move(scans)});
+void RawlogFrames::addMeasurements(RawlogMeasurements measurements) {
+  if (measurements.empty()) return;
+  for (const auto& depth : measurements.depth) forgetPoints(*depth);
+  lastStamp_s_ = stampOf(observationsOf(measurements)).value_or(lastStamp_s_);
+  waiting_.push_back({statistics.entries - 1, lastStamp_s_, std::move(measurements)});
   release(odometry_.hasIncrement());
 }
 
 void RawlogFrames::release(bool all) {
   while (!waiting_.empty() &&
-         (all || waiting_.size() > kMostWaitingScans ||
+         (all || waiting_.size() > kMostWaiting ||
           (odometry_.hasReading() && waiting_.front().stamp_s <= odometry_.latestStamp_s()))) {
-    emit(waiting_.front());
+    dropDepthWithoutImage(waiting_.front());
+    if (!waiting_.front().measurements.empty()) emit(waiting_.front());
     waiting_.pop_front();
   }
+}
+
+void RawlogFrames::dropDepthWithoutImage(Waiting& released) {
+  auto& depth = released.measurements.depth;
+  const auto isUnusable = [&](const auto& observation) {
+    const std::string problem = loadRangeImage(*observation, imagesDirectory_);
+    if (problem.empty()) return false;
+    if (statistics.droppedDepthFrames++ == 0)
+      statistics.firstDroppedDepth = "record " + std::to_string(released.record) + ": " + problem;
+    return true;
+  };
+  depth.erase(std::remove_if(depth.begin(), depth.end(), isUnusable), depth.end());
 }
 
 void RawlogFrames::emit(const Waiting& released) {
@@ -75,22 +107,24 @@ void RawlogFrames::emit(const Waiting& released) {
   if (frame.afterGap) estimator_.restart(frame.odometry, frame.time_s);
   const TTwist2D estimated = estimator_.update(frame.odometry, frame.time_s);
   frame.twist = reported_.value_or(estimated);
-  frame.scans.assign(released.scans.begin(), released.scans.end());
+  frame.scans.assign(released.measurements.scans.begin(), released.measurements.scans.end());
+  frame.depth.assign(released.measurements.depth.begin(), released.measurements.depth.end());
   count(frame);
   ready.push_back(std::move(frame));
 }
 
 void RawlogFrames::setTime(SensorFrame& frame, const Waiting& released) {
-  const auto step = clock_.advance(stampOf(released.scans), released.scans.front()->sensorLabel);
+  const auto observations = observationsOf(released.measurements);
+  const auto step = clock_.advance(stampOf(observations), nameOfSensor(*observations.front()));
   if (step == RawlogClock::Step::Missing) ++statistics.missingTimeStamps;
   if (step == RawlogClock::Step::None) ++statistics.equalTimeStamps;
   frame.afterGap = step == RawlogClock::Step::Jump;
   if (frame.afterGap) statistics.clockJumps.push_back({released.record, clock_.step_s()});
   frame.time_s = clock_.time_s();
   frame.startTime_s = clock_.startTime_s();
-  for (const auto& scan : released.scans)  // so that a scan always has an age
-    if (scan->timestamp == INVALID_TIMESTAMP)
-      scan->timestamp = mrpt::Clock::fromDouble(frame.startTime_s + frame.time_s);
+  for (auto* observation : observations)  // so that all of them have an age
+    if (observation->timestamp == INVALID_TIMESTAMP)
+      observation->timestamp = mrpt::Clock::fromDouble(frame.startTime_s + frame.time_s);
 }
 
 void RawlogFrames::count(const SensorFrame& frame) {
@@ -100,6 +134,7 @@ void RawlogFrames::count(const SensorFrame& frame) {
   lastOdometry_ = frame.odometry;
   ++statistics.frames;
   statistics.scans += frame.scans.size();
+  statistics.depthFrames += frame.depth.size();
   statistics.duration_s = frame.time_s;
   statistics.hasOdometry = statistics.odometryEntries > 0;
   for (const auto& scan : frame.scans) {

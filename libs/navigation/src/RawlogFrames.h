@@ -4,6 +4,8 @@
 
 #include <deque>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "RawlogClock.h"
@@ -11,12 +13,20 @@
 
 namespace bslnav {
 
+/** What one record of a log measured of the surroundings. */
+struct RawlogMeasurements {
+  std::vector<mrpt::obs::CObservation2DRangeScan::Ptr> scans;
+  std::vector<mrpt::obs::CObservation3DRangeScan::Ptr> depth;
+
+  bool empty() const { return scans.empty() && depth.empty(); }
+};
+
 /** Makes frames of what a log holds, in the order of the log, and counts. */
 class RawlogFrames {
  public:
-  using Scans = std::vector<mrpt::obs::CObservation2DRangeScan::Ptr>;
-
-  explicit RawlogFrames(double gap_s) : clock_(gap_s) {}
+  /** @param imagesDirectory where the range images are that the log only names */
+  RawlogFrames(double gap_s, std::string imagesDirectory)
+      : imagesDirectory_(std::move(imagesDirectory)), clock_(gap_s) {}
 
   /** Odometry since the last increment; `twist` if the log has one. Not used after an absolute
    * reading. */
@@ -25,9 +35,9 @@ class RawlogFrames {
   /** Absolute odometry; not used after an increment. */
   void addReading(const mrpt::math::TPose2D& pose, std::optional<double> stamp_s,
                   const std::optional<mrpt::math::TTwist2D>& twist);
-  /** One or more scans of one instant: a frame, as soon as the odometry of their time is known. */
-  void addScans(Scans scans);
-  /** Nothing follows: makes frames of the scans that still wait for odometry. */
+  /** Scans and depth of one instant: a frame, as soon as the odometry of their time is known. */
+  void addMeasurements(RawlogMeasurements measurements);
+  /** Nothing follows: makes frames of what still waits for odometry. */
   void finish() { release(true); }
 
   RawlogStatistics statistics;
@@ -37,15 +47,17 @@ class RawlogFrames {
   struct Waiting {
     std::size_t record;
     double stamp_s;
-    Scans scans;
+    RawlogMeasurements measurements;
   };
 
   bool countOdometry(const mrpt::math::TPose2D& pose);
   void release(bool all);
+  void dropDepthWithoutImage(Waiting& released);
   void emit(const Waiting& released);
   void setTime(SensorFrame& frame, const Waiting& released);
   void count(const SensorFrame& frame);
 
+  std::string imagesDirectory_;
   RawlogClock clock_;
   RawlogOdometry odometry_;
   TwistEstimator estimator_;

@@ -29,7 +29,8 @@ struct LocalizedLog {
 };
 
 /** Reads the whole log once: where the robot was, and the map.
- *  @throws Error when the log or the map cannot be read */
+ *  @throws Error when the log or the map cannot be read, or the map is to come from a log without
+ *  scans */
 LocalizedLog localizeLog(const RawlogSetup& setup, std::uint64_t seed);
 
 /** Runs the control cycle over the log: what would the planner have seen and commanded? The robot

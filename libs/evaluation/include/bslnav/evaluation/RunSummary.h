@@ -24,6 +24,9 @@ struct Percentiles {
 struct RawlogFindings {
   std::string log;
   long records = 0, frames = 0;
+  long scans = 0, depthFrames = 0;
+  long droppedDepthFrames = 0;    ///< without a range image
+  std::string firstDroppedDepth;  ///< record, file and problem
   double recorded_s = 0.0, recordedPath_m = 0.0;
   double unusableBeams_percent = 0.0;
   bool hasOdometry = true;
@@ -36,6 +39,9 @@ struct RawlogFindings {
       0.0;              ///< cycles in which the planner was at least 0.1 m/s slower
   double wall_s = 0.0;  ///< wall-clock time of localisation and control cycles
 };
+
+/** The measurements of a log in words: "37 scans, 12 depth frames". */
+std::string measurementsOf(const RawlogFindings& findings);
 
 /** What a run came to; everything but the timings is the same in every repetition. */
 struct RunSummary {

@@ -39,10 +39,10 @@ struct ParticleFilterParameters {
 
 /** Localises a robot in a known map with MRPT's particle filter (CMonteCarloLocalization2D).
  *
- * It starts at a known pose: a global search would not be repeatable. Seeds MRPT's global random
- * generator at construction and draws from it: the same frames give the same poses as long as there
- * is one particle filter at a time in the process and nothing else draws from that generator. Over
- * a gap the particles stay where they are. */
+ * It starts at a known pose: a global search would not be repeatable. Every filter draws from a
+ * random generator of its own: the same frames give the same poses whatever else runs in the
+ * process, also other filters in other threads; one filter is used by one thread at a time. Over a
+ * gap the particles stay where they are. */
 class ParticleFilterLocalization : public Localization {
  public:
   /** @param map copied, since MRPT keeps likelihoods and their settings in it

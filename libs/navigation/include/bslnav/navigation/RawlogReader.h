@@ -19,6 +19,9 @@ struct RawlogStatistics {
   std::size_t entries = 0;
   std::size_t frames = 0;
   std::size_t scans = 0;
+  std::size_t depthFrames = 0;         ///< depth observations with a range image
+  std::size_t droppedDepthFrames = 0;  ///< without one, or its file cannot be read
+  std::string firstDroppedDepth;       ///< record, file and problem
   std::size_t beams = 0;
   std::size_t unusableBeams =
       0;  ///< marked invalid, not finite, not positive, or at the maximum range
@@ -39,18 +42,22 @@ struct RawlogStatistics {
   }
 };
 
-/** Streams the frames of an MRPT rawlog, one for each 2D scan or sensory frame, compressed or not.
+/** Streams the frames of an MRPT rawlog, one for each 2D scan, depth observation or sensory frame,
+ * compressed or not.
  *
  * Reads both formats: action and sensory frame pairs (odometry increments are summed) and single
- * observations (odometry is interpolated at the scan's time). The twist is the action's where it
- * has one, else it comes from odometry differences. A frame without a time stamp takes the time of
- * the one before; after a clock that went back, time goes on from there. Ranges are passed on as
- * they are, NaN and zero included. */
+ * observations (odometry is interpolated at their time). Range images that the log stores outside
+ * are read from the directory that MRPT expects beside it, `<log without extension>_Images`; a
+ * depth observation without range image is dropped and counted, its points are not used. The twist
+ * is the action's where it has one, else it comes from odometry differences. A frame without a time
+ * stamp takes the time of the one before; after a clock that went back, time goes on from there.
+ * Ranges are passed on as they are, NaN and zero included. */
 class RawlogReader {
  public:
-  /** Opens the log and reads up to its first scan.
+  /** Opens the log and reads up to its first frame.
    *  @param gap_s a step of the clock above it is a gap (SensorFrame::afterGap)
-   *  @throws Error when the file is missing, empty, not a rawlog, or without any 2D scan */
+   *  @throws Error when the file is missing, empty, not a rawlog, or without any 2D scan or depth
+   * frame */
   explicit RawlogReader(const std::string& file, double gap_s = 2.0);
   ~RawlogReader();
   RawlogReader(RawlogReader&&) noexcept;
