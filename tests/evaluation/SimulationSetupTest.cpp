@@ -68,6 +68,16 @@ TEST(SimulationSetup, RefusesNoGoalAndNoLaser) {
   EXPECT_THAT(errorOf([&] { setup.check(); }), HasSubstr("laser"));
 }
 
+TEST(SimulationSetup, RefusesDepthWithoutACameraAndABadCamera) {
+  SimulationSetup setup = hall();
+  setup.navigation.depth.enabled = true;
+  EXPECT_THAT(errorOf([&] { setup.check(); }), HasSubstr("[camera:NAME] columns"));
+  setup.cameras["front"];
+  EXPECT_EQ(errorOf([&] { setup.check(); }), "");
+  setup.cameras["front"].maxRange_m = 0.2;  // below the minimum of 0.3 m
+  EXPECT_THAT(errorOf([&] { setup.check(); }), HasSubstr("[camera:front] max_range_m"));
+}
+
 TEST(SimulationSetup, RefusesAMissingMapFileAndAParticleFilterWithoutAMap) {
   SimulationSetup setup = hall();
   setup.scenario.map = "no_such_map.yaml";

@@ -90,6 +90,41 @@ TEST(RayScene, BeamPassesOverASmallPerson) {
   EXPECT_EQ(scene.rayHit({0, 0, 1.11f}, kForward, 10.0f), kNone);
 }
 
+TEST(RayScene, HeadIsSeenFromAbove) {
+  RayScene scene({}, {{0.25, 1.5}});
+  scene.placePeople({{2.0, 0.0}});
+  const float s = std::sqrt(0.5f);
+  // 45° down from height 3.5 m: at height 1.5 m after 2 m forward, in the middle of the head.
+  EXPECT_NEAR(scene.rayHit({0, 0, 3.5f}, {s, 0, -s}, 10.0f), 2.0 * std::sqrt(2.0), 1e-5);
+  // From 3.2 m it enters above the head's height at x = 1.75 and meets the top at x = 1.7: beside
+  // it, so the side is met at x = 1.75.
+  EXPECT_NEAR(scene.rayHit({0, 0, 3.2f}, {s, 0, -s}, 10.0f), 1.75 * std::sqrt(2.0), 1e-5);
+  // From 3.8 m it would meet the top's height at x = 2.3, behind the head: the floor at x = 3.8.
+  EXPECT_NEAR(scene.rayHit({0, 0, 3.8f}, {s, 0, -s}, 10.0f), 3.8 * std::sqrt(2.0), 1e-5);
+}
+
+TEST(RayScene, PictureCountsHitsInLengthsOfItsDirections) {
+  WorldParameters world;
+  world.walls["w"] = test::wall({2.1, -5}, {2.1, 5}, 0.2);
+  world.walls["w"].zMax_m = 5.0;
+  RayImage image;
+  image.origin = {0, 0, 1};
+  for (int u = -4; u <= 4; ++u)
+    image.columns.emplace_back(1.0f, 0.1f * static_cast<float>(u), 0.0f);
+  image.rows.resize(2);
+  for (std::size_t v = 0; v < 16; ++v)
+    image.rows[v / 8].z[v % 8] = 1.5f - 0.2f * static_cast<float>(v);
+  for (auto& row : image.rows) row.x = row.y = {};
+  RayScene(world, {}).trace(image, 3.0f);
+  ASSERT_EQ(image.hits.size(), 9u * 16u);
+  for (std::size_t v = 0; v < 16; ++v)
+    for (std::size_t u = 0; u < 9; ++u) {
+      // The wall is two lengths forward; slopes below −0.5 meet the floor, 1 m down, before it.
+      const float slope = image.rows[v / 8].z[v % 8];
+      ASSERT_NEAR(image.hits[v * 9 + u], slope < -0.5f ? -1.0f / slope : 2.0f, 1e-5) << u << v;
+    }
+}
+
 TEST(RayScene, PacketEqualsSingleRays) {
   WorldParameters world;
   world.walls["w"] = test::wall({2, -1}, {3, 1});

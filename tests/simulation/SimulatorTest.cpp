@@ -127,8 +127,8 @@ TEST(Simulator, AnotherLaserDoesNotChangeTheFirstOnesNoise) {
   WorldParameters world;
   world.walls["w"] = test::wall({2, -3}, {2, 3});
   Simulator one(world, {}, {{"laser", LaserParameters{}}}, {}, {}, kCircle, 3);
-  Simulator two(world, {}, {{"a", LaserParameters{}}, {"laser", LaserParameters{}}}, {}, {}, kCircle,
-                3);
+  Simulator two(world, {}, {{"a", LaserParameters{}}, {"laser", LaserParameters{}}}, {}, {},
+                kCircle, 3);
   const auto first = one.senseScans().at(0), second = two.senseScans().at(1);
   for (std::size_t i = 0; i < first->getScanSize(); ++i)
     ASSERT_EQ(first->getScanRange(i), second->getScanRange(i));

@@ -11,7 +11,7 @@ namespace {
 using mrpt::math::TPoint3Df;
 
 constexpr std::size_t kSize = RayPacket::kSize;
-alignas(32) constexpr int kAllValid[kSize] = {-1, -1, -1, -1, -1, -1, -1, -1};
+constexpr std::size_t kTogether = 8;  // packets of a picture in one call
 
 /** Where a ray comes to the floor z = 0; `limit` when that is nearer. */
 float floorHit(float originZ, float directionZ, float limit) {
@@ -23,11 +23,10 @@ float hitOrNothing(float t, float limit) {
   return t < limit ? t : std::numeric_limits<float>::infinity();
 }
 
-/** Casts a few packets at a time from one origin. */
+/** Casts up to `kPackets` packets at a time from one origin. */
+template <std::size_t kPackets>
 class PacketCaster {
  public:
-  static constexpr std::size_t kPackets = 8;
-
   PacketCaster(RTCScene solids, const std::vector<PersonCylinder>& people, const TPoint3Df& origin,
                float limit)
       : solids_(solids), people_(people), origin_(origin), limit_(limit) {
@@ -108,7 +107,7 @@ float RayScene::rayHit(const TPoint3Df& origin, const TPoint3Df& direction,
 
 std::array<float, kSize> RayScene::rayHits(const TPoint3Df& origin, const RayPacket& directions,
                                            float maxRange_m) const {
-  PacketCaster caster(embree_->solids.get(), embree_->people, origin, maxRange_m);
+  PacketCaster<1> caster(embree_->solids.get(), embree_->people, origin, maxRange_m);
   caster.aim(0, directions);
   caster.cast(1);
   std::array<float, kSize> hits;
@@ -117,13 +116,13 @@ std::array<float, kSize> RayScene::rayHits(const TPoint3Df& origin, const RayPac
 }
 
 void RayScene::trace(RayImage& image, float limit) const {
-  PacketCaster caster(embree_->solids.get(), embree_->people, image.origin, limit);
+  PacketCaster<kTogether> caster(embree_->solids.get(), embree_->people, image.origin, limit);
   const std::size_t width = image.columns.size();
   image.hits.resize(image.rows.size() * kSize * width);
   float* row = image.hits.data();
   for (const auto& rows : image.rows) {
-    for (std::size_t first = 0; first < width; first += PacketCaster::kPackets) {
-      const std::size_t packets = std::min(PacketCaster::kPackets, width - first);
+    for (std::size_t first = 0; first < width; first += kTogether) {
+      const std::size_t packets = std::min(kTogether, width - first);
       for (std::size_t p = 0; p < packets; ++p) caster.aim(p, sum(image.columns[first + p], rows));
       caster.cast(packets);
       for (std::size_t i = 0; i < kSize; ++i)
