@@ -18,7 +18,7 @@ SimulationSetup s1(int method) {
 
 /** The frames of a second's drive from the middle of the corridor of S1, before the opening. */
 std::vector<SensorFrame> framesOf(const SimulationSetup& setup) {
-  Simulator simulator(setup.world, setup.simulatedRobot, setup.lasers, {3.0, 0.0, 0.0}, {}, 1);
+  Simulator simulator(setup.world, setup.simulatedRobot, setup.lasers, {}, {3.0, 0.0, 0.0}, {}, 1);
   std::vector<SensorFrame> frames;
   for (int i = 0; i < 10; ++i) {
     SensorFrame frame;

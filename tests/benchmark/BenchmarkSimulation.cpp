@@ -29,9 +29,22 @@ void BM_Laser_Scan(benchmark::State& state) {
 }
 BENCHMARK(BM_Laser_Scan)->Arg(683)->Arg(1080);
 
+/** A frame of 4:3 with noise, dropouts and edges, from the middle of the corridor. */
+void BM_DepthCamera_Frame(benchmark::State& state) {
+  DepthCameraParameters parameters;
+  parameters.columns = static_cast<int>(state.range(0));
+  parameters.rows = parameters.columns * 3 / 4;
+  DepthCamera camera("camera", parameters, 1);
+  RayScene scene(corridor(), {{0.25, 1.7}});
+  scene.placePeople({{5.5, -0.4}});
+  const auto stamp = mrpt::Clock::fromDouble(Simulator::kEpoch_s);
+  for (auto _ : state) benchmark::DoNotOptimize(camera.frame(scene, {2.0, 0.0, 0.0}, stamp));
+}
+BENCHMARK(BM_DepthCamera_Frame)->Arg(320)->Arg(640)->Unit(benchmark::kMillisecond);
+
 /** A control period: ten substeps of 10 ms and one scan of 683 beams. */
 void BM_Simulator_Step(benchmark::State& state) {
-  Simulator simulator(corridor(), {}, {{"laser", LaserParameters{}}}, {2.0, 0.0, 0.0}, {}, 1);
+  Simulator simulator(corridor(), {}, {{"laser", LaserParameters{}}}, {}, {2.0, 0.0, 0.0}, {}, 1);
   double omega = 0.5;
   for (auto _ : state) {
     simulator.step({0.0, 0.0, omega = -omega}, 0.1);

@@ -38,10 +38,10 @@ class NavigationCycleHealth : public testing::Test {
   CycleRig rig;
 };
 
-TEST_F(NavigationCycleHealth, StaleScanStopsWithinTheLimits) {
+TEST_F(NavigationCycleHealth, StaleSensorStopsWithinTheLimits) {
   const auto old = makeScan(rig.time_s - 0.6, [](int) { return 0.0; });
   rig.time_s += 0.5;  // no frames for half a second
-  expectStop(Health::StaleScan, [&](SensorFrame& frame) { frame.scans = {old}; });
+  expectStop(Health::StaleSensor, [&](SensorFrame& frame) { frame.scans = {old}; });
 }
 
 TEST_F(NavigationCycleHealth, NoScanAtAllIsStaleFromTheBeginning) {
@@ -49,7 +49,7 @@ TEST_F(NavigationCycleHealth, NoScanAtAllIsStaleFromTheBeginning) {
   fresh.cycle.setGoals({{3.0, 0.0, 0.0}});
   SensorFrame frame = fresh.frame();
   frame.scans.clear();
-  EXPECT_EQ(fresh.step(frame).health, Health::StaleScan);
+  EXPECT_EQ(fresh.step(frame).health, Health::StaleSensor);
   EXPECT_EQ(fresh.twist.vx, 0.0);
 }
 
@@ -99,7 +99,7 @@ TEST_F(NavigationCycleHealth, UnusableScanDoesNotCountAsNews) {
   }
   frame = rig.frame();
   frame.scans.clear();
-  EXPECT_EQ(rig.step(frame).health, Health::StaleScan);
+  EXPECT_EQ(rig.step(frame).health, Health::StaleSensor);
 }
 
 TEST_F(NavigationCycleHealth, StampAheadOfTheClockDoesNotKeepOldScansFresh) {
@@ -111,7 +111,7 @@ TEST_F(NavigationCycleHealth, StampAheadOfTheClockDoesNotKeepOldScansFresh) {
     frame.scans.clear();
     rig.step(frame);
   }
-  EXPECT_EQ(rig.cycle.step(frame).health, Health::StaleScan);
+  EXPECT_EQ(rig.cycle.step(frame).health, Health::StaleSensor);
 }
 
 TEST_F(NavigationCycleHealth, GoesOnBetweenTheScansOfASlowLaserUntilTheyAreStale) {
@@ -122,7 +122,7 @@ TEST_F(NavigationCycleHealth, GoesOnBetweenTheScansOfASlowLaserUntilTheyAreStale
     ASSERT_GT(rig.twist.vx, 0.5);
   }
   // The newest scan is 0.4 s old in the next cycle, and 0.5 s, which is just not stale, after that.
-  const Health expected[] = {Health::Ok, Health::Ok, Health::StaleScan};
+  const Health expected[] = {Health::Ok, Health::Ok, Health::StaleSensor};
   for (const Health health : expected) {
     SensorFrame frame = rig.frame();
     frame.scans.clear();

@@ -16,7 +16,7 @@ using Contact = SimulationState::Contact;
 const RobotOutline kCircle{{}, 0.25, 1.0};
 
 Simulator idealSimulator(const WorldParameters& world) {
-  return {world, test::idealRobot(), {{"laser", test::exactLaser()}}, {}, kCircle, 1};
+  return {world, test::idealRobot(), {{"laser", test::exactLaser()}}, {}, {}, kCircle, 1};
 }
 
 /** Everything that one noisy run produces, as bytes. */
@@ -25,7 +25,7 @@ std::vector<double> recordedRun(std::uint64_t seed) {
   world.walls["w"] = test::wall({4, -3}, {4, 3});
   world.cylinders["c"] = {2.0, 1.5, 0.1, 0.0, 1.0, true};
   world.pedestrians["p"] = test::walker({{3, -2}, {3, 2}}, 1.0);
-  Simulator simulator(world, {}, {{"laser", LaserParameters{}}}, {}, kCircle, seed);
+  Simulator simulator(world, {}, {{"laser", LaserParameters{}}}, {}, {}, kCircle, seed);
   std::vector<double> record;
   for (int k = 0; k < 30; ++k) {
     simulator.step({0.5, 0.0, k < 15 ? 0.2 : -0.2}, 0.1);
@@ -105,7 +105,7 @@ TEST(Simulator, ScansComeAtTheirRateWithTheirStamps) {
 TEST(Simulator, ScansComeAfterTheirLatency) {
   auto laser = test::exactLaser();
   laser.latency_s = 0.25;
-  Simulator simulator({}, test::idealRobot(), {{"laser", laser}}, {}, kCircle, 1);
+  Simulator simulator({}, test::idealRobot(), {{"laser", laser}}, {}, {}, kCircle, 1);
   simulator.step({}, 0.2);
   EXPECT_TRUE(simulator.senseScans().empty());
   simulator.step({}, 0.2);
@@ -115,7 +115,7 @@ TEST(Simulator, ScansComeAfterTheirLatency) {
 }
 
 TEST(Simulator, LasersAreLabelledByName) {
-  Simulator simulator({}, {}, {{"rear", test::exactLaser()}, {"front", test::exactLaser()}}, {},
+  Simulator simulator({}, {}, {{"rear", test::exactLaser()}, {"front", test::exactLaser()}}, {}, {},
                       kCircle, 1);
   const auto scans = simulator.senseScans();
   ASSERT_EQ(scans.size(), 2u);
@@ -126,8 +126,8 @@ TEST(Simulator, LasersAreLabelledByName) {
 TEST(Simulator, AnotherLaserDoesNotChangeTheFirstOnesNoise) {
   WorldParameters world;
   world.walls["w"] = test::wall({2, -3}, {2, 3});
-  Simulator one(world, {}, {{"laser", LaserParameters{}}}, {}, kCircle, 3);
-  Simulator two(world, {}, {{"a", LaserParameters{}}, {"laser", LaserParameters{}}}, {}, kCircle,
+  Simulator one(world, {}, {{"laser", LaserParameters{}}}, {}, {}, kCircle, 3);
+  Simulator two(world, {}, {{"a", LaserParameters{}}, {"laser", LaserParameters{}}}, {}, {}, kCircle,
                 3);
   const auto first = one.senseScans().at(0), second = two.senseScans().at(1);
   for (std::size_t i = 0; i < first->getScanSize(); ++i)
@@ -138,7 +138,7 @@ TEST(Simulator, EveryLaserHasItsOwnNoise) {
   WorldParameters world;
   world.walls["w"] = test::wall({2, -3}, {2, 3});
   const std::map<std::string, LaserParameters> lasers{{"a", {}}, {"b", {}}};
-  const auto scans = Simulator(world, {}, lasers, {}, kCircle, 3).senseScans();
+  const auto scans = Simulator(world, {}, lasers, {}, {}, kCircle, 3).senseScans();
   ASSERT_TRUE(scans[0]->getScanRangeValidity(341) && scans[1]->getScanRangeValidity(341));
   EXPECT_NE(scans[0]->getScanRange(341), scans[1]->getScanRange(341));
 }

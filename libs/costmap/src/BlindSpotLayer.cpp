@@ -1,11 +1,10 @@
 #include <bslnav/costmap/BlindSpotLayer.h>
+#include <bslnav/costmap/VectorClones.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-
-#include "VectorClones.h"
 
 namespace bslnav {
 namespace {

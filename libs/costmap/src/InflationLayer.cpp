@@ -1,11 +1,10 @@
 #include <bslnav/config/Config.h>
 #include <bslnav/costmap/InflationLayer.h>
+#include <bslnav/costmap/VectorClones.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-
-#include "VectorClones.h"
 
 namespace bslnav {
 namespace {

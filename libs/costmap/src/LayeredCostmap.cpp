@@ -44,8 +44,8 @@ void copy(const CostGrid& from, const CellWindow& window, CostGrid& to) {
                 static_cast<std::size_t>(window.width()));
 }
 
-/** Static and obstacle layer in one row. Both hold 0, 254 or 255 only, so that the lower one is
- * right where neither is lethal. */
+/** Two layers in one row. Both hold 0, 254 or 255 only, so that the lower one is right where
+ * neither is lethal. `merged` may be one of them. */
 void mergeRow(const Cost* background, const Cost* obstacles, Cost* merged, int count) {
   for (int x = 0; x < count; ++x) {
     const Cost lower = background[x] < obstacles[x] ? background[x] : obstacles[x];
@@ -101,6 +101,7 @@ LayeredCostmap::LayeredCostmap(const CostmapParameters& parameters, const Footpr
       static_(staticLayer(parameters, footprint, map.get())),
       background_(initialGrid(parameters, static_, extent)),
       obstacles_(parameters.obstacles, footprint, background_),
+      depthObstacles_(parameters.obstacles, footprint, background_),
       merged_(background_),
       mergedRow_(background_.getSizeX()),
       inflation_(parameters.inflation, inscribedRadius_m_, parameters.resolution_m),
@@ -111,9 +112,14 @@ LayeredCostmap::LayeredCostmap(const CostmapParameters& parameters, const Footpr
 
 void LayeredCostmap::update(const mrpt::math::TPose2D& mapFromRobot,
                             const std::vector<PlanarScan>& scans,
-                            const std::vector<DangerZone>& zones) {
+                            const std::vector<DangerZone>& zones,
+                            const std::vector<PlanarScan>& depthScans) {
   const CellWindow moved = recentre(mapFromRobot);
-  const CellWindow visited = obstacles_.update(mapFromRobot, scans);
+  CellWindow visited = obstacles_.update(mapFromRobot, scans);
+  if (usesDepth_ || !depthScans.empty()) {
+    usesDepth_ = true;
+    visited = visited.united(depthObstacles_.update(mapFromRobot, depthScans));
+  }
   const CellWindow changed = merge(visited.united(moved));
   copy(inflated_, zones_, costs_);
   inflate(changed.united(moved));
@@ -131,6 +137,7 @@ CellWindow LayeredCostmap::recentre(const mrpt::math::TPose2D& mapFromRobot) {
   for (CostGrid* grid : {&background_, &merged_, &inflated_, &costs_})
     grid->shift(dx, dy, kFreeCost);
   obstacles_.shift(dx, dy);
+  depthObstacles_.shift(dx, dy);
   if (static_) static_->copyTo(background_, all);
   return all;
 }
@@ -141,6 +148,9 @@ CellWindow LayeredCostmap::merge(const CellWindow& window) {
   for (int y = window.y0; y < window.y1; ++y) {
     mergeRow(background_.row(y) + window.x0, obstacles_.grid().row(y) + window.x0,
              mergedRow_.data(), window.width());
+    if (usesDepth_)
+      mergeRow(mergedRow_.data(), depthObstacles_.grid().row(y) + window.x0, mergedRow_.data(),
+               window.width());
     if (std::memcmp(mergedRow_.data(), merged_.row(y) + window.x0,
                     static_cast<std::size_t>(window.width())) != 0)
       changed = changed.united(replaceRow(mergedRow_, window, y, merged_.row(y)));

@@ -1,4 +1,5 @@
 #include <bslnav/costmap/ObstacleLayer.h>
+#include <mrpt/math/wrap2pi.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +10,14 @@ namespace {
 
 constexpr int kShift = 32;  // fractional bits of fixed point
 constexpr double kOne = 4294967296.0;
+constexpr double kTopUnit_m = 0.02;
+
+/** A height in whole units, rounded down: what was marked reached at least there. */
+std::uint8_t topOf(const PlanarScan& scan, std::size_t beam) {
+  return scan.top_m.empty() ? std::uint8_t{0}
+                            : static_cast<std::uint8_t>(std::clamp(
+                                  static_cast<double>(scan.top_m[beam]) / kTopUnit_m, 0.0, 255.0));
+}
 
 /** std::floor without the library call that it needs on SSE2. */
 int floorToCell(double value) {
@@ -115,11 +124,19 @@ CellWindow ObstacleLayer::update(const mrpt::math::TPose2D& mapFromRobot,
   marks_.clear();
   for (const auto& scan : scans) {
     visited = visited.united(trace(mapFromRobot, scan));
-    clearAlongLines();
+    clearAlongLines(scan.start_m.empty());
+    if (!scan.start_m.empty()) clearBelowView(mapFromRobot, scan);
   }
-  for (const auto cell : marks_) grid_.row(0)[cell] = kLethalCost;
+  for (const Mark& mark : marks_) grid_.row(0)[mark.cell] = kLethalCost;
+  if (tops_.width() > 0)
+    for (const Mark& mark : marks_) tops_.row(0)[mark.cell] = mark.top;
   if (parameters_.clearFootprint) visited = visited.united(clearUnder(mapFromRobot));
   return visited.intersected(grid_.bounds());
+}
+
+void ObstacleLayer::shift(int dx, int dy) {
+  grid_.shift(dx, dy, kUnknownCost);
+  if (tops_.width() > 0) tops_.shift(dx, dy, 0);
 }
 
 /** Fills lines_ and appends to marks_; returns the window of both. */
@@ -135,33 +152,70 @@ CellWindow ObstacleLayer::trace(const mrpt::math::TPose2D& mapFromRobot, const P
   for (std::size_t i = 0; i < scan.beam.size(); ++i) {
     if (scan.beam[i] == PlanarScan::Beam::Dropped) continue;
     const bool hit = scan.beam[i] == PlanarScan::Beam::Hit;
-    if (!hit && !parameters_.clearNoReturn) continue;
+    const bool seesFloor = !scan.start_m.empty();
+    if (!hit && !seesFloor && !parameters_.clearNoReturn) continue;
     const double range_m = scan.range_m[i];
     const double dx = c * scan.cosine[i] - s * scan.sine[i],
                  dy = s * scan.cosine[i] + c * scan.sine[i];
+    const bool known = hit || seesFloor;  // else the beam is taken for free all the way
     const double cleared_m =
-        std::min(hit ? range_m : parameters_.raytraceRange_m, parameters_.raytraceRange_m);
+        std::min(known ? range_m : parameters_.raytraceRange_m, parameters_.raytraceRange_m);
+    const double start_m = seesFloor ? std::min<double>(scan.start_m[i], cleared_m) : 0.0;
     const Point to{from.x + cleared_m * dx, from.y + cleared_m * dy};
-    lines_[i] = lineWithin(from, to);
+    lines_[i] = lineWithin({from.x + start_m * dx, from.y + start_m * dy}, to);
     left = std::min(left, to.x), right = std::max(right, to.x);
     bottom = std::min(bottom, to.y), top = std::max(top, to.y);
     if (!hit || range_m > parameters_.obstacleRange_m) continue;
     const int x = floorToCell(from.x + range_m * dx), y = floorToCell(from.y + range_m * dy);
     if (bounds.contains(x, y))
-      marks_.push_back(static_cast<std::ptrdiff_t>(y) * bounds.width() + x);
+      marks_.push_back({static_cast<std::ptrdiff_t>(y) * bounds.width() + x, topOf(scan, i)});
   }
   return {floorToCell(left) - 1, floorToCell(bottom) - 1, floorToCell(right) + 2,
           floorToCell(top) + 2};
 }
 
+/** Marks nearer than the floor is seen: gone is only what the camera would still see. */
+void ObstacleLayer::clearBelowView(const mrpt::math::TPose2D& mapFromRobot,
+                                   const PlanarScan& scan) {
+  if (tops_.width() == 0) {
+    tops_ = grid_;
+    tops_.fill(0);
+  }
+  if (scan.size() < 2) return;
+  const auto sensor = mapFromRobot + scan.robotFromSensor();
+  double reach_m = 0.0;
+  for (const float start_m : scan.start_m)
+    if (start_m < parameters_.raytraceRange_m) reach_m = std::max<double>(reach_m, start_m);
+  const CellWindow around =
+      CellWindow{grid_.cellX(sensor.x - reach_m), grid_.cellY(sensor.y - reach_m),
+                 grid_.cellX(sensor.x + reach_m) + 1, grid_.cellY(sensor.y + reach_m) + 1}
+          .intersected(grid_.bounds());
+  const double first = std::atan2(scan.sine[0], scan.cosine[0]) + mapFromRobot.phi;
+  const double step = std::asin(static_cast<double>(scan.cosine[0] * scan.sine[1]) -
+                                static_cast<double>(scan.sine[0] * scan.cosine[1]));
+  for (int y = around.y0; y < around.y1; ++y)
+    for (int x = around.x0; x < around.x1; ++x) {
+      if (grid_.at(x, y) != kLethalCost) continue;
+      const double dx = grid_.idx2x(x) - sensor.x, dy = grid_.idx2y(y) - sensor.y;
+      const double angle = mrpt::math::wrapTo2Pi(std::atan2(dy, dx) - first + 0.5 * step);
+      const auto beam = static_cast<std::size_t>(angle / step);
+      if (beam >= scan.beam.size() || scan.beam[beam] == PlanarScan::Beam::Dropped) continue;
+      const double range_m = std::hypot(dx, dy), start_m = scan.start_m[beam];
+      const double lowestSeen_m = scan.sensorHeight_m * (1.0 - range_m / start_m);
+      const bool sees = tops_.at(x, y) * kTopUnit_m > lowestSeen_m + kTopUnit_m;
+      if (sees && range_m < start_m && range_m + grid_.getResolution() < scan.range_m[beam])
+        grid_.at(x, y) = kFreeCost;
+    }
+}
+
 /** Near the sensor many beams visit the same cells. As in a binary tree, each beam leaves out what
  * the two do that are as far away from it as its index has factors of two. */
-void ObstacleLayer::clearAlongLines() {
+void ObstacleLayer::clearAlongLines(bool fromOnePoint) {
   const std::size_t count = lines_.size();
   for (std::size_t i = 0; i < count; ++i) {
     Line line = lines_[i];
     const std::size_t distance = i & (~i + 1);
-    if (i > 0 && i + distance < count)
+    if (fromOnePoint && i > 0 && i + distance < count)
       line.skip(line.sharedWith(lines_[i - distance], lines_[i + distance]));
     clear(line);
   }

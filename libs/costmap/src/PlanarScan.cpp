@@ -4,16 +4,35 @@
 
 namespace bslnav {
 
-void PlanarScan::assign(const mrpt::obs::CObservation2DRangeScan& scan, double maxRange_m) {
+void PlanarScan::reset(const mrpt::math::TPose2D& robotFromSensor, double maxRange_m,
+                       std::size_t beams) {
+  robotFromSensor_ = robotFromSensor;
+  maxRange_m_ = maxRange_m;
+  hits_ = 0;
+  dropped_ = static_cast<int>(beams);
+  for (auto* values : {&cosine, &sine}) values->resize(beams);
+  range_m.assign(beams, 0.0f);
+  beam.assign(beams, Beam::Dropped);
+  start_m.clear();
+  top_m.clear();
+}
+
+void PlanarScan::setBeam(std::size_t i, Beam what, float measured_m) {
+  dropped_ += (what == Beam::Dropped) - (beam[i] == Beam::Dropped);
+  hits_ += (what == Beam::Hit) - (beam[i] == Beam::Hit);
+  beam[i] = what;
+  range_m[i] = measured_m;
+}
+
+void PlanarScan::assign(const mrpt::obs::CObservation2DRangeScan& scan, double maxRange_m,
+                        const mrpt::math::TPose2D& robotFromThen) {
   const auto n = scan.getScanSize();
   const bool upsideDown = std::cos(scan.sensorPose.roll()) < 0.0;
   const bool counterclockwise = scan.rightToLeft != upsideDown;
-  robotFromSensor_ = {scan.sensorPose.x(), scan.sensorPose.y(), scan.sensorPose.yaw()};
   const double own_m = scan.maxRange;
-  maxRange_m_ = maxRange_m > 0.0 && (own_m <= 0.0 || maxRange_m < own_m) ? maxRange_m : own_m;
-  hits_ = dropped_ = 0;
-  for (auto* values : {&range_m, &cosine, &sine}) values->resize(n);
-  beam.resize(n);
+  reset(robotFromThen +
+            mrpt::math::TPose2D(scan.sensorPose.x(), scan.sensorPose.y(), scan.sensorPose.yaw()),
+        maxRange_m > 0.0 && (own_m <= 0.0 || maxRange_m < own_m) ? maxRange_m : own_m, n);
 
   const double step = n > 1 ? scan.aperture / static_cast<double>(n - 1) : 0.0;
   const double first = robotFromSensor_.phi - (n > 1 ? scan.aperture / 2.0 : 0.0);
@@ -24,18 +43,11 @@ void PlanarScan::assign(const mrpt::obs::CObservation2DRangeScan& scan, double m
     sine[i] = static_cast<float>(std::sin(angle));
     const float range = scan.getScanRange(source);
     const bool valid = scan.getScanRangeValidity(source);
-    if (!std::isfinite(range) || (valid && range <= 0.0f)) {
-      beam[i] = Beam::Dropped;
-      range_m[i] = 0.0f;
-      ++dropped_;
-    } else if (!valid || range >= maxRange_m_) {
-      beam[i] = Beam::NoReturn;
-      range_m[i] = static_cast<float>(maxRange_m_);
-    } else {
-      beam[i] = Beam::Hit;
-      range_m[i] = range;
-      ++hits_;
-    }
+    if (!std::isfinite(range) || (valid && range <= 0.0f)) continue;
+    if (!valid || range >= maxRange_m_)
+      setBeam(i, Beam::NoReturn, static_cast<float>(maxRange_m_));
+    else
+      setBeam(i, Beam::Hit, range);
   }
 }
 

@@ -35,6 +35,7 @@ void sense(Simulator& simulator, Localization* localization, SensorFrame& frame)
   frame.twist = truth.twist;
   frame.scans.clear();
   for (auto& scan : simulator.senseScans()) frame.scans.push_back(std::move(scan));
+  frame.depth = simulator.senseDepth();
   frame.mapFromRobot = localization ? localization->update(frame) : truth.pose;
 }
 
@@ -79,12 +80,14 @@ RunSummary runSimulation(const SimulationSetup& setup, std::uint64_t seed,
   const auto map = setup.makeMap();
   const RobotOutline outline{setup.navigation.footprint.polygon,
                              setup.navigation.footprint.radius_m};
-  Simulator simulator(setup.world, setup.simulatedRobot, setup.lasers, setup.scenario.start,
-                      outline, seed);
+  const auto cameras = setup.navigation.depth.enabled ? setup.cameras : decltype(setup.cameras){};
+  Simulator simulator(setup.world, setup.simulatedRobot, setup.lasers, cameras,
+                      setup.scenario.start, outline, seed);
   const auto localization = makeLocalization(setup, map, seed);
   NavigationCycle cycle(setup.navigation, map);
   cycle.setGoals(setup.scenario.goals);
-  for (const auto& laser : setup.lasers) cycle.expectSensor(laser.first);
+  for (const auto& laser : setup.lasers) cycle.expectSensor(SensorKind::Laser, laser.first);
+  for (const auto& camera : cameras) cycle.expectSensor(SensorKind::Camera, camera.first);
 
   RunSummary summary;
   summary.seed = seed;

@@ -59,6 +59,8 @@ void SimulationSetup::bind(Config& config) {
   config.bind("robot", "The robot.", robot);
   config.bind("simulated_robot", "The simulated base.", simulatedRobot);
   config.bindRepeated("laser", "A laser range finder on the robot.", lasers);
+  config.bindRepeated("camera", "A depth camera on the robot, used when [depth] enabled is true.",
+                      cameras);
   config.bindRepeated("wall", "A wall along a polyline.", world.walls);
   config.bindRepeated("box", "A box, or with z_min_m a table top or an overhang.", world.boxes);
   config.bindRepeated("cylinder", "A pole or a pillar.", world.cylinders);
@@ -82,6 +84,9 @@ void SimulationSetup::check() const {
   canDo(limits.acceleration_mps2, simulatedRobot.maxAcceleration_mps2, "acceleration_mps2");
   canDo(limits.deceleration_mps2, simulatedRobot.maxDeceleration_mps2, "deceleration_mps2");
   if (lasers.empty()) Config::refuse("laser:NAME", "beams", "at least one laser");
+  for (const auto& [name, camera] : cameras) camera.check(name);
+  if (navigation.depth.enabled && cameras.empty())
+    Config::refuse("camera:NAME", "columns", "at least one camera when [depth] enabled");
 }
 
 std::shared_ptr<const mrpt::maps::COccupancyGridMap2D> SimulationSetup::makeMap() const {

@@ -3,7 +3,7 @@
 namespace bslnav {
 
 const char* nameOf(CycleRecord::Health health) {
-  static constexpr const char* kNames[] = {"ok", "stale_scan", "no_beams", "bad_pose"};
+  static constexpr const char* kNames[] = {"ok", "stale_sensor", "no_beams", "bad_pose"};
   return kNames[static_cast<int>(health)];
 }
 
@@ -11,8 +11,8 @@ std::string reasonOf(const CycleRecord& record) {
   switch (record.health) {
     case CycleRecord::Health::NoBeams:
       return "no usable beam in the scan";
-    case CycleRecord::Health::StaleScan:
-      return "the laser scan is stale";
+    case CycleRecord::Health::StaleSensor:
+      return record.sensorProblem;
     case CycleRecord::Health::BadPose:
       return "the pose is not a number";
     case CycleRecord::Health::Ok:

@@ -32,6 +32,8 @@ NavigationCycle::NavigationCycle(const NavigationParameters& parameters,
     : parameters_(parameters),
       local_(parameters.costmap, parameters.footprint, map, Extent::Rolling),
       scanJumps_(parameters.scanJumps),
+      depthClusters_(parameters.depthClusters),
+      depthCameras_(parameters.depth.obstacles),
       globalPlanner_(parameters.globalPlanner),
       motionPlanner_(
           parameters.motion, parameters.recovery, parameters.dwa, parameters.limits,
@@ -72,8 +74,9 @@ const CycleRecord& NavigationCycle::step(const SensorFrame& frame) {
   findBlindSpots();
   record_.times.blindSpots_s = seconds(stage);
 
-  local_.update(record_.mapFromRobot, scans_, record_.dangerZones);
-  if (global_) global_->update(record_.mapFromRobot, scans_, {});
+  const auto& depthScans = depthCameras_.newScans();
+  local_.update(record_.mapFromRobot, scans_, record_.dangerZones, depthScans);
+  if (global_) global_->update(record_.mapFromRobot, scans_, {}, depthScans);
   record_.times.costmap_s = seconds(stage);
 
   if (goals_.empty()) {
@@ -107,27 +110,58 @@ CycleRecord::Health NavigationCycle::takeOver(const SensorFrame& frame) {
   record_.time_s = frame.time_s;
   record_.mapFromRobot = frame.mapFromRobot;
   record_.twist = frame.twist;
+  record_.sensorProblem.clear();
+  if (frame.afterGap) motion_.clear();
+  if (isFinite(frame.odometry)) motion_.add(frame.time_s, frame.odometry);
+  const bool blind = takeOverScans(frame);
+  takeOverDepth(frame);
+  if (!isFinite(frame.mapFromRobot) || !isFinite(frame.twist)) return CycleRecord::Health::BadPose;
+  if (blind) return CycleRecord::Health::NoBeams;
+  // Between two scans of a slow sensor the robot goes on with what it knows, until that is stale.
+  if (sensors_.oldestAge_s(frame.time_s) <= parameters_.cycle.sensorMaxAge_s)
+    return CycleRecord::Health::Ok;
+  record_.sensorProblem =
+      depthProblem_.empty() ? "nothing new from " + sensors_.oldest() : depthProblem_;
+  return CycleRecord::Health::StaleSensor;
+}
+
+/** Returns whether a scan has no usable beam at all. */
+bool NavigationCycle::takeOverScans(const SensorFrame& frame) {
   record_.beams = record_.droppedBeams = 0;
   resizeScans(frame.scans.size());
   bool blind = false;
   for (std::size_t i = 0; i < scans_.size(); ++i) {
-    scans_[i].assign(*frame.scans[i], parameters_.cycle.sensorMaxRange_m);
+    const double stamp_s = mrpt::Clock::toDouble(frame.scans[i]->timestamp) - frame.startTime_s;
+    scans_[i].assign(*frame.scans[i], parameters_.cycle.sensorMaxRange_m,
+                     motion_.nowFromThen(stamp_s));
     record_.beams += scans_[i].size();
     record_.droppedBeams += scans_[i].dropped();
-    if (scans_[i].dropped() == scans_[i].size()) {
+    if (scans_[i].dropped() == scans_[i].size())
       blind = true;
+    else
+      sensors_.heard(SensorKind::Laser, frame.scans[i]->sensorLabel, stamp_s, frame.time_s);
+  }
+  return blind;
+}
+
+/** A camera whose images say nothing usable is not heard, and so becomes stale. */
+void NavigationCycle::takeOverDepth(const SensorFrame& frame) {
+  record_.depthFrames = record_.droppedDepthFrames = 0;
+  depthCameras_.beginCycle();
+  if (!parameters_.depth.enabled) return;
+  for (const auto& image : frame.depth) {
+    const double stamp_s = mrpt::Clock::toDouble(image->timestamp) - frame.startTime_s;
+    const DepthFrame& taken = depthCameras_.add(image, stamp_s, motion_);
+    ++record_.depthFrames;
+    if (taken.status() == DepthFrame::Status::Ok) {
+      sensors_.heard(SensorKind::Camera, image->sensorLabel, stamp_s, frame.time_s);
+      depthProblem_.clear();
       continue;
     }
-    sensors_.heard(frame.scans[i]->sensorLabel,
-                   mrpt::Clock::toDouble(frame.scans[i]->timestamp) - frame.startTime_s,
-                   frame.time_s);
+    ++record_.droppedDepthFrames;
+    depthProblem_ = "depth camera '" + image->sensorLabel + "': " + describe(taken);
+    record_.sensorProblem = depthProblem_;
   }
-  if (!isFinite(frame.mapFromRobot) || !isFinite(frame.twist)) return CycleRecord::Health::BadPose;
-  if (blind) return CycleRecord::Health::NoBeams;
-  // Between two scans of a slow sensor the robot goes on with what it knows, until that is stale.
-  if (sensors_.oldestAge_s(frame.time_s) > parameters_.cycle.sensorMaxAge_s)
-    return CycleRecord::Health::StaleScan;
-  return CycleRecord::Health::Ok;
 }
 
 void NavigationCycle::resizeScans(std::size_t count) {
@@ -137,9 +171,25 @@ void NavigationCycle::resizeScans(std::size_t count) {
   scans_.resize(count);
 }
 
+/** Of the sensors' news in this cycle; null when there are none. */
+const std::vector<BlindSpot>* NavigationCycle::newBlindSpots() {
+  switch (parameters_.blindSpots.source) {
+    case BlindSpotSource::ScanJumps:
+      return scans_.empty() ? nullptr : &scanJumps_.detect(scans_);
+    case BlindSpotSource::DepthClusters:
+      if (!depthCameras_.hasNew()) return nullptr;
+      return &depthClusters_.detect(
+          depthCameras_.framesSince(record_.time_s - parameters_.cycle.sensorMaxAge_s, motion_));
+    case BlindSpotSource::None:
+      break;
+  }
+  return nullptr;
+}
+
 void NavigationCycle::findBlindSpots() {
-  if (parameters_.blindSpots.source == BlindSpotSource::None || scans_.empty()) return;
-  record_.blindSpots = scanJumps_.detect(scans_);
+  const auto* found = newBlindSpots();
+  if (!found) return;
+  record_.blindSpots = *found;
   record_.dangerZones.clear();
   for (const BlindSpot& spot : record_.blindSpots)
     record_.dangerZones.push_back(

@@ -18,6 +18,7 @@ void BlindSpotParameters::describe(ConfigSection& section) {
 
 void DepthParameters::describe(ConfigSection& section) {
   section.flag("enabled", enabled, "whether depth cameras are used: Methods 3 and 4");
+  obstacles.describe(section);
 }
 
 void CycleParameters::describe(ConfigSection& section) {
@@ -37,10 +38,12 @@ void NavigationParameters::bind(Config& config) {
   config.bind("footprint", "The robot's outline.", footprint);
   config.bind("limits", "What the robot's base can do.", limits);
   config.bind("costmap", "The layered cost map.", costmap);
-  config.bind("depth", "Depth cameras.", depth);
+  config.bind("depth", "Depth cameras, and obstacles from them.", depth);
   config.bind("blind_spots", "Where could a person be hidden?", blindSpots);
   config.bind("scan_jumps", "Blind spots from jumps between neighbouring laser beams (paper IV).",
               scanJumps);
+  config.bind("depth_clusters", "Blind spots from clusters of depth points (paper V-B).",
+              depthClusters);
   config.bind("danger_zone", "The cost around a blind spot (paper IV-B, table I).", dangerZone);
   config.bind("global_planner", "A* on static, obstacle and inflation costs.", globalPlanner);
   config.bind("dwa", "Dynamic window approach with the paper's cost function (eq. 10, table I).",
@@ -59,6 +62,9 @@ void NavigationParameters::check() const {
     Config::refuse("dwa", "horizon_s", "at least [cycle] period_s");
   if (blindSpots.source == BlindSpotSource::DepthClusters && !depth.enabled)
     Config::refuse("depth", "enabled", "true with [blind_spots] source = depth_clusters");
+  if (depth.obstacles.zMax_m <= depth.obstacles.zMin_m)
+    Config::refuse("depth", "obstacle_z_max_m", "a height above obstacle_z_min_m");
+  depthClusters.check();
 }
 
 }  // namespace bslnav

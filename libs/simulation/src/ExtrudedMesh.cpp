@@ -30,7 +30,7 @@ void ExtrudedMesh::add(const std::vector<TPoint2D>& polygon, double zMin_m, doub
     triangles.push_back({lower(i), upper(i + 1), upper(i)});
   }
   for (unsigned i = 1; i + 1 < n; ++i) {
-    triangles.push_back({lower(0), lower(i + 1), lower(i)});
+    if (zMin_m > 0.0) triangles.push_back({lower(0), lower(i + 1), lower(i)});
     triangles.push_back({upper(0), upper(i), upper(i + 1)});
   }
 }
@@ -39,16 +39,6 @@ void ExtrudedMesh::add(const WorldShape& shape) {
   add(shape.isCylinder() ? circlePolygon(shape.centre, shape.radius_m, kRoundness_m)
                          : shape.polygon,
       shape.zMin_m, shape.zMax_m);
-}
-
-void ExtrudedMesh::addFloor(const WorldBounds& bounds, double margin_m) {
-  const auto first = static_cast<unsigned>(vertices.size());
-  const double x0 = bounds.lower.x - margin_m, x1 = bounds.upper.x + margin_m;
-  const double y0 = bounds.lower.y - margin_m, y1 = bounds.upper.y + margin_m;
-  for (const auto& v : {vertex(x0, y0, 0), vertex(x1, y0, 0), vertex(x1, y1, 0), vertex(x0, y1, 0)})
-    vertices.push_back(v);
-  triangles.push_back({first, first + 1, first + 2});
-  triangles.push_back({first, first + 2, first + 3});
 }
 
 std::vector<TPoint2D> circlePolygon(const TPoint2D& centre, double radius_m, double tolerance_m) {

@@ -15,8 +15,6 @@ struct ExtrudedMesh {
   /** Adds a convex polygon extruded between two heights: sides, lower and upper face. */
   void add(const std::vector<mrpt::math::TPoint2D>& polygon, double zMin_m, double zMax_m);
   void add(const WorldShape& shape);
-  /** Adds the floor, z = 0, from `margin_m` around the bounds. */
-  void addFloor(const WorldBounds& bounds, double margin_m);
 };
 
 /** A regular polygon inside a circle, counterclockwise, at most `tolerance_m` away from it. */

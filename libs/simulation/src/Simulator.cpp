@@ -17,10 +17,27 @@ std::vector<RayScene::Person> bodies(const WorldParameters& world) {
   return people;
 }
 
+template <typename Sensors>
+bool anyDue(const Sensors& sensors, double time_s) {
+  return std::any_of(sensors.begin(), sensors.end(),
+                     [time_s](const auto& sensor) { return sensor.schedule.due(time_s); });
+}
+
+/** What arrived from each sensor since the last call, in the sensors' order. */
+template <typename Measurement, typename Sensors>
+std::vector<Measurement> delivered(Sensors& sensors, double time_s) {
+  std::vector<Measurement> measurements;
+  for (auto& sensor : sensors)
+    if (auto measurement = sensor.schedule.deliver(time_s))
+      measurements.push_back(std::move(measurement));
+  return measurements;
+}
+
 }  // namespace
 
 Simulator::Simulator(const WorldParameters& world, const SimulatedRobotParameters& robot,
                      const std::map<std::string, LaserParameters>& lasers,
+                     const std::map<std::string, DepthCameraParameters>& cameras,
                      const mrpt::math::TPose2D& start, const RobotOutline& outline,
                      std::uint64_t seed)
     : shapes_(worldShapes(world)),
@@ -29,12 +46,14 @@ Simulator::Simulator(const WorldParameters& world, const SimulatedRobotParameter
       body_(outline) {
   for (const auto& [name, person] : world.pedestrians) pedestrians_.emplace_back(person);
   for (const auto& [name, laser] : lasers)
-    lasers_.push_back({LaserSensor(name, laser, seed), 0, {}});
+    lasers_.push_back({LaserSensor(name, laser, seed), {laser.rate_hz, laser.latency_s}});
+  for (const auto& [name, camera] : cameras)
+    cameras_.push_back({DepthCamera(name, camera, seed), {camera.rate_hz, camera.latency_s}});
   positions_.resize(pedestrians_.size());
   state_.people.resize(pedestrians_.size());
   updateState();
   refuseStartInCollision();
-  takeScans();
+  measure();
 }
 
 void Simulator::refuseStartInCollision() const {
@@ -62,7 +81,7 @@ void Simulator::substep(const mrpt::math::TTwist2D& command, double dt_s) {
     pedestrian.observeRobot({from.x, from.y}, from_s, {to.x, to.y}, state_.time_s);
   updateState();
   updateContact();
-  takeScans();
+  measure();
 }
 
 void Simulator::updateState() {
@@ -97,32 +116,25 @@ void Simulator::updateContact() {
   state_.speedAtContact_mps = std::abs(state_.twist.vx);
 }
 
-void Simulator::takeScans() {
-  bool placed = false;
-  for (auto& laser : lasers_) {
-    const auto& parameters = laser.sensor.parameters();
-    if (static_cast<double>(laser.taken) / parameters.rate_hz > state_.time_s + kTimeSlack_s)
-      continue;
-    if (!placed) scene_.placePeople(positions_);
-    placed = true;
-    const auto stamp = mrpt::Clock::fromDouble(kEpoch_s + state_.time_s);
-    laser.pending.push_back(
-        {state_.time_s + parameters.latency_s, laser.sensor.scan(scene_, state_.pose, stamp)});
-    ++laser.taken;
-  }
+void Simulator::measure() {
+  const double now_s = state_.time_s;
+  if (!anyDue(lasers_, now_s) && !anyDue(cameras_, now_s)) return;
+  scene_.placePeople(positions_);
+  const auto stamp = mrpt::Clock::fromDouble(kEpoch_s + now_s);
+  for (auto& laser : lasers_)
+    if (laser.schedule.due(now_s))
+      laser.schedule.take(laser.sensor.scan(scene_, state_.pose, stamp), now_s);
+  for (auto& camera : cameras_)
+    if (camera.schedule.due(now_s))
+      camera.schedule.take(camera.sensor.frame(scene_, state_.pose, stamp), now_s);
 }
 
 Simulator::Scans Simulator::senseScans() {
-  Scans scans;
-  for (auto& laser : lasers_) {
-    const auto undelivered =
-        std::find_if(laser.pending.begin(), laser.pending.end(),
-                     [&](const auto& p) { return p.delivery_s > state_.time_s + kTimeSlack_s; });
-    if (undelivered == laser.pending.begin()) continue;
-    scans.push_back(std::prev(undelivered)->scan);
-    laser.pending.erase(laser.pending.begin(), undelivered);
-  }
-  return scans;
+  return delivered<Scans::value_type>(lasers_, state_.time_s);
+}
+
+Simulator::DepthFrames Simulator::senseDepth() {
+  return delivered<DepthFrames::value_type>(cameras_, state_.time_s);
 }
 
 }  // namespace bslnav

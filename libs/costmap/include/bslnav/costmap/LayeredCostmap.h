@@ -46,9 +46,11 @@ class LayeredCostmap {
 
   /** Takes in one cycle: moves with the robot (Rolling), clears and marks, inflates, and adds the
    * danger zones in place of the last cycle's.
-   * @param mapFromRobot finite; may lie off the map */
+   * @param mapFromRobot finite; may lie off the map
+   * @param depthScans made of depth images; what lasers see does not clear what they marked, as a
+   * laser looks below a table top, nor the other way round */
   void update(const mrpt::math::TPose2D& mapFromRobot, const std::vector<PlanarScan>& scans,
-              const std::vector<DangerZone>& zones);
+              const std::vector<DangerZone>& zones, const std::vector<PlanarScan>& depthScans = {});
 
   /** All layers. */
   const CostGrid& costs() const { return costs_; }
@@ -65,8 +67,9 @@ class LayeredCostmap {
   double inscribedRadius_m_;
   std::optional<StaticLayer> static_;
   CostGrid background_;  // the static layer where this cost map is
-  ObstacleLayer obstacles_;
-  CostGrid merged_;  // static and obstacle layer
+  ObstacleLayer obstacles_, depthObstacles_;
+  CostGrid merged_;         // static and obstacle layers
+  bool usesDepth_ = false;  // since the first depth scan
   std::vector<Cost> mergedRow_;
   InflationLayer inflation_;
   CostGrid inflated_;

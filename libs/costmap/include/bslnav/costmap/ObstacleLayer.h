@@ -27,7 +27,10 @@ struct ObstacleParameters {
  * A mark stays until a beam passes through it. A beam passes through one cell of each column (each
  * row, if it runs more along y than along x): the one that holds the point where it crosses the
  * column's centre line, from the sensor's column up to, but without, the column of its end. It
- * never clears the cell it ends in. */
+ * never clears the cell it ends in.
+ *
+ * A scan made of a depth image clears everything only from where it sees the floor; nearer, where a
+ * low thing may be below its view, it clears a mark only if it would still see what was marked. */
 class ObstacleLayer {
  public:
   /** @param shape gives size, resolution and position; its costs do not matter */
@@ -40,7 +43,7 @@ class ObstacleLayer {
   CellWindow update(const mrpt::math::TPose2D& mapFromRobot, const std::vector<PlanarScan>& scans);
 
   /** Moves the grid by whole cells; new cells are unknown. */
-  void shift(int dx, int dy) { grid_.shift(dx, dy, kUnknownCost); }
+  void shift(int dx, int dy);
 
   const CostGrid& grid() const { return grid_; }
 
@@ -67,16 +70,23 @@ class ObstacleLayer {
 
   CellWindow trace(const mrpt::math::TPose2D& mapFromRobot, const PlanarScan& scan);
   Line lineWithin(const Point& from, const Point& to) const;
-  void clearAlongLines();
+  void clearAlongLines(bool fromOnePoint);
   void clear(const Line& line);
+  void clearBelowView(const mrpt::math::TPose2D& mapFromRobot, const PlanarScan& scan);
   CellWindow clearUnder(const mrpt::math::TPose2D& mapFromRobot);
 
   ObstacleParameters parameters_;
   Footprint footprint_;
+  struct Mark {
+    std::ptrdiff_t cell;
+    std::uint8_t top;  // height of what was met, in kTopUnit_m
+  };
+
   CostGrid grid_;
+  CostGrid tops_;  // of the marks of depth images; empty until there is one
   // Reused every cycle.
-  std::vector<Line> lines_;            // of one scan, one a beam
-  std::vector<std::ptrdiff_t> marks_;  // of all scans
+  std::vector<Line> lines_;  // of one scan, one a beam
+  std::vector<Mark> marks_;  // of all scans
 };
 
 }  // namespace bslnav

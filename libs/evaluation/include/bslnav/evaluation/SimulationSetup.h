@@ -2,6 +2,7 @@
 
 #include <bslnav/navigation/LocalizationParticleFilter.h>
 #include <bslnav/navigation/NavigationParameters.h>
+#include <bslnav/simulation/DepthCameraParameters.h>
 #include <bslnav/simulation/LaserSensor.h>
 #include <bslnav/simulation/SimulatedRobot.h>
 #include <bslnav/simulation/WorldParameters.h>
@@ -60,6 +61,8 @@ struct SimulationSetup {
   RobotParameters robot;
   SimulatedRobotParameters simulatedRobot;
   std::map<std::string, LaserParameters> lasers;
+  std::map<std::string, DepthCameraParameters>
+      cameras;  ///< used when `navigation.depth` is enabled
   WorldParameters world;
   PictureParameters pictures;
 

@@ -18,15 +18,18 @@ struct StageTimes {
 
 /** Everything one control cycle saw, considered and decided. */
 struct CycleRecord {
-  enum class Health : std::uint8_t { Ok, StaleScan, NoBeams, BadPose };
+  enum class Health : std::uint8_t { Ok, StaleSensor, NoBeams, BadPose };
 
   int index = 0;
   double time_s = 0.0;
   mrpt::math::TPose2D mapFromRobot;
-  mrpt::math::TTwist2D twist;              ///< measured, robot frame
-  Health health = Health::Ok;              ///< anything but Ok stops the robot
-  int beams = 0, droppedBeams = 0;         ///< of all scans of this cycle
-  std::vector<BlindSpot> blindSpots;       ///< of the newest scans; robot frame at that time
+  mrpt::math::TTwist2D twist;                   ///< measured, robot frame
+  Health health = Health::Ok;                   ///< anything but Ok stops the robot
+  std::string sensorProblem;                    ///< which sensor and why, in words; empty for none
+  int beams = 0, droppedBeams = 0;              ///< of all scans of this cycle
+  int depthFrames = 0, droppedDepthFrames = 0;  ///< of this cycle; dropped: says nothing usable
+  std::vector<BlindSpot> blindSpots;       ///< of the newest scans or depth images; robot frame
+                                           ///< at that time
   std::vector<DangerZone> dangerZones;     ///< map frame
   std::vector<mrpt::math::TPoint2D> path;  ///< global path, map frame; empty when there is none
   PathResult::Status pathStatus = PathResult::Status::Found;

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <bslnav/blindspot/DepthClusterDetector.h>
 #include <bslnav/navigation/CycleRecord.h>
+#include <bslnav/navigation/DepthCameras.h>
 #include <bslnav/navigation/NavigationParameters.h>
 #include <bslnav/navigation/SensorFrame.h>
 #include <bslnav/navigation/SensorWatch.h>
@@ -29,12 +31,14 @@ class NavigationCycle {
   void setGoals(std::vector<mrpt::math::TPose2D> goals);
 
   /** A sensor that must deliver: the robot does not move before it has, nor when it falls silent.
-   * Sensors that are not announced are watched from their first scan on. */
-  void expectSensor(const std::string& label) { sensors_.expect(label); }
+   * Sensors that are not announced are watched from their first measurement on. */
+  void expectSensor(SensorKind kind, const std::string& label) { sensors_.expect(kind, label); }
 
   /** Runs one cycle. The record is valid until the next call. */
   const CycleRecord& step(const SensorFrame& frame);
 
+  /** The pipeline from depth to blind spots, as it was in the last cycle with depth. */
+  const DepthClusterDetector& depthClusters() const { return depthClusters_; }
   const CostGrid& localCosts() const { return local_.costs(); }
   /** What the global planner plans on: the whole map, or without a map the local costs without
    * blind spots. */
@@ -45,8 +49,11 @@ class NavigationCycle {
  private:
   mrpt::math::TTwist2D commandBase(const mrpt::math::TTwist2D& measured) const;
   CycleRecord::Health takeOver(const SensorFrame& frame);
+  bool takeOverScans(const SensorFrame& frame);
+  void takeOverDepth(const SensorFrame& frame);
   void resizeScans(std::size_t count);
   void findBlindSpots();
+  const std::vector<BlindSpot>* newBlindSpots();
   void advanceWaypoint();
   bool needsPath() const;
   void planPath();
@@ -56,6 +63,8 @@ class NavigationCycle {
   LayeredCostmap local_;
   std::optional<LayeredCostmap> global_;  // only with a map
   ScanJumpDetector scanJumps_;
+  DepthClusterDetector depthClusters_;
+  DepthCameras depthCameras_;
   GlobalPlanner globalPlanner_;
   MotionPlanner motionPlanner_;
 
@@ -65,6 +74,8 @@ class NavigationCycle {
   bool pathCutShort_ = false;  // it ends at the edge of the local map, on the way to the next goal
   double plannedAt_s_ = 0.0;
   SensorWatch sensors_;
+  MotionHistory motion_;
+  std::string depthProblem_;                    // of the newest image that said nothing usable
   std::vector<PlanarScan> scans_, spareScans_;  // spare: buffers of a cycle that had more scans
   CycleRecord record_;
 };

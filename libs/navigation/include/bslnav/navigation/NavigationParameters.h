@@ -1,8 +1,10 @@
 #pragma once
 
 #include <bslnav/blindspot/DangerZones.h>
+#include <bslnav/blindspot/DepthClusters.h>
 #include <bslnav/blindspot/ScanJumpDetector.h>
 #include <bslnav/config/Config.h>
+#include <bslnav/costmap/DepthScan.h>
 #include <bslnav/costmap/LayeredCostmap.h>
 #include <bslnav/navigation/MotionPlanner.h>
 #include <bslnav/planning/GlobalPlanner.h>
@@ -29,9 +31,10 @@ struct BlindSpotParameters {
   void describe(ConfigSection& section);
 };
 
-/** Whether depth cameras count. */
+/** Whether depth cameras count, and which of their points are obstacles. */
 struct DepthParameters {
   bool enabled = false;
+  DepthScanParameters obstacles;
 
   void describe(ConfigSection& section);
 };
@@ -55,6 +58,7 @@ struct NavigationParameters {
   DepthParameters depth;
   BlindSpotParameters blindSpots;
   ScanJumpParameters scanJumps;
+  DepthClusterParameters depthClusters;
   DangerZoneParameters dangerZone;
   GlobalPlannerParameters globalPlanner;
   DwaParameters dwa;

@@ -15,11 +15,22 @@ struct RayPacket {
   alignas(32) std::array<float, kSize> x, y, z;
 };
 
+/** A picture's rays from one origin, map frame: pixel (u, v) looks along columns[u] + rows[v].
+ *
+ * Directions need no unit length: a hit is counted in lengths of its direction. If they are 1 m
+ * long along a camera's axis, it is a depth [m]. */
+struct RayImage {
+  mrpt::math::TPoint3Df origin;
+  std::vector<mrpt::math::TPoint3Df> columns;  ///< from left to right
+  std::vector<RayPacket> rows;                 ///< eight each from top to bottom, filled up
+  std::vector<float> hits;                     ///< row by row, also those that fill up
+};
+
 /** The world as rays see it: solids and the floor z = 0 stand still, people (cylinders) move.
  *
- * Two levels: moving people rebuilds a tree of a few instances only. Distances do not depend on the
- * number of threads; scenes share nothing, so each thread may have its own. Round shapes are prisms
- * within 0.5 mm of the circle.
+ * Only the solids are in Embree's tree, which is built once. Distances do not depend on the number
+ * of threads; scenes share nothing, so each thread may have its own. Round solids are prisms within
+ * 0.5 mm of the circle.
  */
 class RayScene {
  public:
@@ -43,6 +54,10 @@ class RayScene {
   /** The same for eight rays at once. */
   std::array<float, RayPacket::kSize> rayHits(const mrpt::math::TPoint3Df& origin,
                                               const RayPacket& directions, float maxRange_m) const;
+  /** Sends all rays of a picture and writes their hits; infinity beyond `limit` direction lengths.
+   *
+   *  Takes memory only when the picture has none of its size yet. */
+  void trace(RayImage& image, float limit) const;
 
  private:
   struct Embree;  // keeps the ray caster's headers out of ours

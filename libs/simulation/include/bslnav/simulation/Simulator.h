@@ -1,9 +1,11 @@
 #pragma once
 
+#include <bslnav/simulation/DepthCamera.h>
 #include <bslnav/simulation/LaserSensor.h>
 #include <bslnav/simulation/Pedestrian.h>
 #include <bslnav/simulation/RayScene.h>
 #include <bslnav/simulation/RobotBody.h>
+#include <bslnav/simulation/SensorSchedule.h>
 #include <bslnav/simulation/SimulatedRobot.h>
 
 #include <cstdint>
@@ -37,7 +39,7 @@ struct SimulationState {
   double speedAtContact_mps = 0.0;     ///< the robot's, never negative
 };
 
-/** A world, a robot with lasers and people, on one simulated clock.
+/** A world, a robot with lasers and depth cameras, and people, on one simulated clock.
  *
  * The same arguments and commands give the same bits, however many threads run a simulator each.
  * Contact changes nothing: robot and people go through each other, and the caller ends the run.
@@ -45,17 +47,19 @@ struct SimulationState {
 class Simulator {
  public:
   using Scans = std::vector<mrpt::obs::CObservation2DRangeScan::Ptr>;
+  using DepthFrames = std::vector<DepthCamera::Frame::ConstPtr>;
 
   /** Time 0 of the simulated clock as a time stamp: 2001-09-09 01:46:40 UTC. */
   static constexpr double kEpoch_s = 1e9;
   static constexpr double kSubstep_s = 0.01;
 
-  /** The first scans are taken at time 0.
-   *  @param lasers by name, which becomes the sensor label
+  /** The first scans and depth frames are taken at time 0.
+   *  @param lasers,cameras by name, which becomes the sensor label
    *  @throws Error on bad parameters, or when the robot touches something where it starts */
   Simulator(const WorldParameters& world, const SimulatedRobotParameters& robot,
-            const std::map<std::string, LaserParameters>& lasers, const mrpt::math::TPose2D& start,
-            const RobotOutline& outline, std::uint64_t seed);
+            const std::map<std::string, LaserParameters>& lasers,
+            const std::map<std::string, DepthCameraParameters>& cameras,
+            const mrpt::math::TPose2D& start, const RobotOutline& outline, std::uint64_t seed);
 
   /** Drives for `dt_s` in equal substeps of at most 10 ms, each with people, contacts, sensors. */
   void step(const mrpt::math::TTwist2D& command, double dt_s);
@@ -66,22 +70,23 @@ class Simulator {
    *
    *  Its stamp is the simulated time at which it was taken, `kEpoch_s` + time_s. */
   Scans senseScans();
+  /** The same for the depth cameras. */
+  DepthFrames senseDepth();
 
  private:
   struct Laser {
     LaserSensor sensor;
-    long taken = 0;  // scans so far; scan k is taken at k / rate
-    struct Pending {
-      double delivery_s;
-      mrpt::obs::CObservation2DRangeScan::Ptr scan;
-    };
-    std::vector<Pending> pending;
+    SensorSchedule<mrpt::obs::CObservation2DRangeScan::Ptr> schedule;
+  };
+  struct Camera {
+    DepthCamera sensor;
+    SensorSchedule<DepthCamera::Frame::ConstPtr> schedule;
   };
 
   void substep(const mrpt::math::TTwist2D& command, double dt_s);
   void updateState();
   void updateContact();
-  void takeScans();
+  void measure();
   void refuseStartInCollision() const;
 
   std::vector<WorldShape> shapes_;
@@ -90,6 +95,7 @@ class Simulator {
   RobotBody body_;
   std::vector<Pedestrian> pedestrians_;
   std::vector<Laser> lasers_;
+  std::vector<Camera> cameras_;
   std::vector<mrpt::math::TPoint2D> positions_;  // of the people, in scene order
   SimulationState state_;
 };

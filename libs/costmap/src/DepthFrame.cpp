@@ -1,0 +1,197 @@
+#include <bslnav/costmap/DepthFrame.h>
+#include <bslnav/costmap/VectorClones.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+namespace bslnav {
+namespace {
+
+using mrpt::math::TPoint3Df;
+using mrpt::obs::CObservation3DRangeScan;
+
+/** Depths of one row from the sensor's integers; those above `most` are none. Returns the bits of
+ * all depths: 0 if there is none. */
+BSLNAV_VECTOR_CLONES unsigned scaleRow(const std::uint16_t* __restrict raw, float unit_m, int most,
+                                       int count, float* __restrict depth_m) {
+  unsigned bits = 0;
+  for (int u = 0; u < count; ++u) {
+    const int value = raw[u] <= most ? raw[u] : 0;
+    depth_m[u] = static_cast<float>(value) * unit_m;
+    bits |= static_cast<unsigned>(value);
+  }
+  return bits;
+}
+
+/** Heights of flat surfaces, in bins, from samples of an image. */
+class FlatHeights {
+ public:
+  void add(double z_m) {
+    const double bin = (z_m - kLowest_m) / kBin_m;
+    if (bin >= 0.0 && bin < kBins) ++counts_[static_cast<std::size_t>(bin)];
+    floor_ += std::abs(z_m) <= kFloorTolerance_m;
+    ++total_;
+  }
+  int total() const { return total_; }
+  bool hasFloor() const { return 10 * floor_ >= total_; }
+  /** The middle of the two neighbouring bins that hold half of all, if any do. */
+  bool peak(double& z_m) const {
+    for (std::size_t i = 1; i < kBins; ++i)
+      if (2 * (counts_[i - 1] + counts_[i]) >= total_) {
+        z_m = kLowest_m + static_cast<double>(i) * kBin_m;
+        return true;
+      }
+    return false;
+  }
+
+ private:
+  static constexpr std::size_t kBins = 120;
+  static constexpr double kLowest_m = -2.0, kBin_m = 0.05, kFloorTolerance_m = 0.1;
+  std::array<int, kBins> counts_{};
+  int total_ = 0, floor_ = 0;
+};
+
+}  // namespace
+
+void DepthFrame::assign(const CObservation3DRangeScan& image,
+                        const mrpt::math::TPose2D& robotFromThen) {
+  columns_ = rows_ = 0;
+  status_ = Status::NoImage;
+  if (!image.hasRangeImage || image.rangeImage.rows() == 0 || image.rangeImage.cols() == 0) return;
+  status_ = Status::NoCalibration;
+  if (!isCalibrated(image)) return;
+  columns_ = static_cast<int>(image.rangeImage.cols());
+  rows_ = static_cast<int>(image.rangeImage.rows());
+  setRays(image, robotFromThen);
+  status_ = Status::NoDepth;
+  if (!convert(image)) return;
+  status_ = isFloorAmiss() ? Status::FloorAmiss : Status::Ok;
+}
+
+bool DepthFrame::isCalibrated(const CObservation3DRangeScan& image) const {
+  const auto& camera = image.cameraParams;
+  const bool sameSize = static_cast<Eigen::Index>(camera.ncols) == image.rangeImage.cols() &&
+                        static_cast<Eigen::Index>(camera.nrows) == image.rangeImage.rows();
+  const auto positive = [](double value) { return std::isfinite(value) && value > 0.0; };
+  return sameSize && positive(camera.fx()) && positive(camera.fy()) && std::isfinite(camera.cx()) &&
+         std::isfinite(camera.cy()) && std::isfinite(image.sensorPose.norm());
+}
+
+void DepthFrame::setRays(const CObservation3DRangeScan& image,
+                         const mrpt::math::TPose2D& robotFromThen) {
+  const auto& camera = image.cameraParams;
+  const auto& pose = image.sensorPose;
+  geometry_ = {static_cast<double>(columns_),
+               static_cast<double>(rows_),
+               camera.fx(),
+               camera.fy(),
+               camera.cx(),
+               camera.cy(),
+               pose.z(),
+               pose.pitch(),
+               pose.roll()};
+  const auto robotFromCamera = mrpt::poses::CPose3D(robotFromThen) + pose;
+  const auto rotation = robotFromCamera.getRotationMatrix();
+  yaw_rad_ = robotFromCamera.yaw();
+  origin_ = {static_cast<float>(robotFromCamera.x()), static_cast<float>(robotFromCamera.y()),
+             static_cast<float>(robotFromCamera.z())};
+  const auto fill = [&rotation](Rays& rays, int count, auto&& ray) {
+    for (auto* values : {&rays.x, &rays.y, &rays.z})
+      values->resize(static_cast<std::size_t>(count));
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+      const mrpt::math::TPoint3D d = ray(static_cast<double>(i));
+      const auto turned = [&](int row) {
+        return static_cast<float>(rotation(row, 0) * d.x + rotation(row, 1) * d.y +
+                                  rotation(row, 2) * d.z);
+      };
+      rays.x[i] = turned(0);
+      rays.y[i] = turned(1);
+      rays.z[i] = turned(2);
+    }
+  };
+  // MRPT: the optical axis is the sensor's x, columns run to its right, rows down.
+  fill(columnRays_, columns_,
+       [&](double u) { return mrpt::math::TPoint3D(0.0, (camera.cx() - u) / camera.fx(), 0.0); });
+  fill(rowRays_, rows_,
+       [&](double v) { return mrpt::math::TPoint3D(1.0, 0.0, (camera.cy() - v) / camera.fy()); });
+}
+
+/** Returns whether any pixel has a depth. */
+bool DepthFrame::convert(const CObservation3DRangeScan& image) {
+  depth_m_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+  constexpr int kLargest = std::numeric_limits<std::uint16_t>::max();
+  const double unit_m = static_cast<double>(image.rangeUnits);
+  maxRange_m_ = image.maxRange > 0.0f ? static_cast<double>(image.maxRange) : kLargest * unit_m;
+  const int most = static_cast<int>(std::min<double>(kLargest, maxRange_m_ / unit_m + 1e-6));
+  unsigned bits = 0;
+  for (int v = 0; v < rows_; ++v) {
+    float* row = depth_m_.data() + static_cast<std::size_t>(v) * static_cast<std::size_t>(columns_);
+    bits |= scaleRow(&image.rangeImage(v, 0), image.rangeUnits, most, columns_, row);
+    if (image.range_is_depth) continue;
+    const auto& camera = image.cameraParams;
+    for (int u = 0; u < columns_; ++u)  // from the length of the ray to the depth
+      row[u] /= static_cast<float>(
+          std::hypot(1.0, (camera.cx() - u) / camera.fx(), (camera.cy() - v) / camera.fy()));
+  }
+  return bits != 0;
+}
+
+/** Looks at pairs of pixels above each other: where they are at the same height, a surface lies
+ * flat. A floor that is seen at all is most of what lies flat. */
+bool DepthFrame::isFloorAmiss() {
+  constexpr int kStride = 6, kPair = 3;
+  constexpr float kSteepest = 0.15f;  // rise over distance of a flat surface
+  FlatHeights flat;
+  int samples = 0;
+  for (int v = 0; v + kPair < rows_; v += kStride)
+    for (int u = 0; u < columns_; u += kStride) {
+      if (!(depthRow(v)[u] > 0.0f && depthRow(v + kPair)[u] > 0.0f)) continue;
+      ++samples;
+      const TPoint3Df a = point(u, v), b = point(u, v + kPair);
+      if (std::abs(a.z - b.z) < kSteepest * (a - b).norm()) flat.add(0.5 * (a.z + b.z));
+    }
+  const bool enough = 10 * flat.total() >= samples && flat.total() >= 20;
+  return enough && !flat.hasFloor() && flat.peak(floorHeight_m_);
+}
+
+TPoint3Df DepthFrame::point(int u, int v) const {
+  const auto i = static_cast<std::size_t>(u), j = static_cast<std::size_t>(v);
+  const float d = depthRow(v)[u];
+  return {origin_.x + d * (columnRays_.x[i] + rowRays_.x[j]),
+          origin_.y + d * (columnRays_.y[i] + rowRays_.y[j]),
+          origin_.z + d * (columnRays_.z[i] + rowRays_.z[j])};
+}
+
+std::vector<TPoint3Df> DepthFrame::points() const {
+  std::vector<TPoint3Df> points;
+  for (int v = 0; v < rows_; ++v)
+    for (int u = 0; u < columns_; ++u)
+      if (depthRow(v)[u] > 0.0f) points.push_back(point(u, v));
+  return points;
+}
+
+std::string describe(const DepthFrame& frame) {
+  switch (frame.status()) {
+    case DepthFrame::Status::NoImage:
+      return "no depth image";
+    case DepthFrame::Status::NoCalibration:
+      return "the camera's calibration is missing or not of this image";
+    case DepthFrame::Status::NoDepth:
+      return "no pixel has a depth";
+    case DepthFrame::Status::FloorAmiss: {
+      char text[120];
+      std::snprintf(text, sizeof text,
+                    "the floor appears at a height of %.2f m: the camera's pose is wrong",
+                    frame.floorHeight_m());
+      return text;
+    }
+    case DepthFrame::Status::Ok:
+      break;
+  }
+  return "";
+}
+
+}  // namespace bslnav
