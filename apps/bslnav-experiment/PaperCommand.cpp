@@ -18,7 +18,7 @@ namespace {
 
 /** The file of a case. @throws Error when there is no such case */
 std::string caseFile(const std::string& name) {
-  const std::string file = dataDirectory() + "/config/scenarios/" + name + ".ini";
+  std::string file = dataDirectory() + "/config/scenarios/" + name + ".ini";
   const auto isPlain = [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_'; };
   if (!std::all_of(name.begin(), name.end(), isPlain) || !std::filesystem::exists(file))
     throw Error("--cases " + name, "no such case; expected a name with a file " + file);
