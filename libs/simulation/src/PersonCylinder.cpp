@@ -2,21 +2,30 @@
 
 #include <cmath>
 
+#include "VectorClones.h"
+
 namespace bslnav {
+namespace {
 
 // Seen from above, the point at t of a ray is within the circle while a·t² − 2·b·t + c < 0, with
 // a = |d|², b = d·m, c = |m|² − r²: d the direction, m the circle's centre from the ray's origin.
 
-bool PersonCylinder::mayBeHitBy(const mrpt::math::TPoint3Df& origin, const RayPacket& rays) const {
-  const float mx = x - origin.x, my = y - origin.y;
-  const float c = mx * mx + my * my - radius * radius;
-  int meets = 0;
+BSLNAV_VECTOR_CLONES int meets(float mx, float my, float c, const float* dx, const float* dy) {
+  int result = 0;
   for (std::size_t i = 0; i < RayPacket::kSize; ++i) {
-    const float a = rays.x[i] * rays.x[i] + rays.y[i] * rays.y[i];
-    const float b = rays.x[i] * mx + rays.y[i] * my;
-    meets |= static_cast<int>(b > 0.0f) & static_cast<int>(b * b > a * c);
+    const float a = dx[i] * dx[i] + dy[i] * dy[i];
+    const float b = dx[i] * mx + dy[i] * my;
+    result |= static_cast<int>(b > 0.0f) & static_cast<int>(b * b > a * c);
   }
-  return meets != 0;
+  return result;
+}
+
+}  // namespace
+
+bool PersonCylinder::mayBeHitBy(const mrpt::math::TPoint3Df& origin, const float* directionsX,
+                                const float* directionsY) const {
+  const float mx = x - origin.x, my = y - origin.y;
+  return meets(mx, my, mx * mx + my * my - radius * radius, directionsX, directionsY) != 0;
 }
 
 float PersonCylinder::hit(const mrpt::math::TPoint3Df& origin,

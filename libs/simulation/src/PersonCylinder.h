@@ -8,8 +8,9 @@ namespace bslnav {
 struct PersonCylinder {
   float x, y, radius, height;
 
-  /** Whether one of the rays, seen from above, meets the circle ahead: most packets do not. */
-  bool mayBeHitBy(const mrpt::math::TPoint3Df& origin, const RayPacket& rays) const;
+  /** Whether one of eight rays, seen from above, meets the circle ahead: most packets do not. */
+  bool mayBeHitBy(const mrpt::math::TPoint3Df& origin, const float* directionsX,
+                  const float* directionsY) const;
 
   /** How far along `direction` a ray comes to the side or from above to the top, in lengths of
    *  `direction`; `limit` when that is nearer. From within, the cylinder is not seen. */

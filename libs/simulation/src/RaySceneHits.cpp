@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "RaySceneEmbree.h"
+#include "VectorClones.h"
 
 namespace bslnav {
 namespace {
@@ -11,12 +12,26 @@ namespace {
 using mrpt::math::TPoint3Df;
 
 constexpr std::size_t kSize = RayPacket::kSize;
-constexpr std::size_t kTogether = 8;  // packets of a picture in one call
+constexpr std::size_t kTogether = 16;  // packets of a picture in one call
 
 /** Where a ray comes to the floor z = 0; `limit` when that is nearer. */
-float floorHit(float originZ, float directionZ, float limit) {
+inline float floorHit(float originZ, float directionZ, float limit) {
   const float t = -originZ / directionZ;  // infinite or NaN for a level ray
-  return (t > 0.0f) & (t < limit) ? t : limit;
+  const float ahead = t > 0.0f ? t : limit;
+  return ahead < limit ? ahead : limit;
+}
+
+/** Points eight rays along `column` + `rows`, as far as the floor or `limit`. */
+BSLNAV_VECTOR_CLONES void aimAtFloor(const TPoint3Df& column, const RayPacket& rows, float limit,
+                                     RTCRay8& rays) {
+  const float x = column.x, y = column.y, z = column.z;
+  for (std::size_t i = 0; i < kSize; ++i) {
+    const float up = rows.z[i] + z;
+    rays.dir_x[i] = rows.x[i] + x;
+    rays.dir_y[i] = rows.y[i] + y;
+    rays.dir_z[i] = up;
+    rays.tfar[i] = floorHit(rays.org_z[i], up, limit);
+  }
 }
 
 float hitOrNothing(float t, float limit) {
@@ -42,21 +57,16 @@ class PacketCaster {
       }
   }
 
-  /** Takes in the directions of one of the packets. Floor and people come first: what is near
+  /** Points one of the packets along `column` + `rows`. Floor and people come first: what is near
    * spares the search for solids behind it. */
-  void aim(std::size_t packet, const RayPacket& directions) {
+  void aim(std::size_t packet, const TPoint3Df& column, const RayPacket& rows) {
     RTCRay8& rays = rays_[packet].ray;
-    for (std::size_t i = 0; i < kSize; ++i) {
-      rays.dir_x[i] = directions.x[i];
-      rays.dir_y[i] = directions.y[i];
-      rays.dir_z[i] = directions.z[i];
-      rays.tfar[i] = floorHit(origin_.z, directions.z[i], limit_);
-    }
+    aimAtFloor(column, rows, limit_, rays);
     for (const auto& person : people_)
-      if (person.mayBeHitBy(origin_, directions))
+      if (person.mayBeHitBy(origin_, rays.dir_x, rays.dir_y))
         for (std::size_t i = 0; i < kSize; ++i)
-          rays.tfar[i] = person.hit(origin_, {directions.x[i], directions.y[i], directions.z[i]},
-                                    rays.tfar[i]);
+          rays.tfar[i] =
+              person.hit(origin_, {rays.dir_x[i], rays.dir_y[i], rays.dir_z[i]}, rays.tfar[i]);
   }
 
   /** Finds the solids before floor and people for the first packets. */
@@ -79,16 +89,6 @@ class PacketCaster {
   RTCRayHit8 rays_[kPackets] = {};
 };
 
-RayPacket sum(const TPoint3Df& column, const RayPacket& rows) {
-  RayPacket result = rows;
-  for (std::size_t i = 0; i < kSize; ++i) {
-    result.x[i] += column.x;
-    result.y[i] += column.y;
-    result.z[i] += column.z;
-  }
-  return result;
-}
-
 }  // namespace
 
 float RayScene::rayHit(const TPoint3Df& origin, const TPoint3Df& direction,
@@ -108,7 +108,7 @@ float RayScene::rayHit(const TPoint3Df& origin, const TPoint3Df& direction,
 std::array<float, kSize> RayScene::rayHits(const TPoint3Df& origin, const RayPacket& directions,
                                            float maxRange_m) const {
   PacketCaster<1> caster(embree_->solids.get(), embree_->people, origin, maxRange_m);
-  caster.aim(0, directions);
+  caster.aim(0, {}, directions);
   caster.cast(1);
   std::array<float, kSize> hits;
   for (std::size_t i = 0; i < kSize; ++i) hits[i] = caster.hit(0, i);
@@ -123,7 +123,7 @@ void RayScene::trace(RayImage& image, float limit) const {
   for (const auto& rows : image.rows) {
     for (std::size_t first = 0; first < width; first += kTogether) {
       const std::size_t packets = std::min(kTogether, width - first);
-      for (std::size_t p = 0; p < packets; ++p) caster.aim(p, sum(image.columns[first + p], rows));
+      for (std::size_t p = 0; p < packets; ++p) caster.aim(p, image.columns[first + p], rows);
       caster.cast(packets);
       for (std::size_t i = 0; i < kSize; ++i)
         for (std::size_t p = 0; p < packets; ++p) row[i * width + first + p] = caster.hit(p, i);
