@@ -30,6 +30,27 @@ TEST_F(SimulatedRun, Method2ReachesTheGoalOfS1) {
   EXPECT_GT(summary()["blind_spots_mean"], 0.0);
 }
 
+class DepthMethodRun : public AppTest, public testing::WithParamInterface<const char*> {};
+
+TEST_P(DepthMethodRun, ReachesTheGoalWithoutContact) {
+  const std::string scenario = std::string(BSLNAV_SOURCE_DIR) + "/config/scenarios/" + GetParam();
+  double time_s = 1e9;
+  for (const char* method : {"3", "4"}) {
+    const AppResult result = drive(scenario, {"--method", method});
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_EQ(summary()["outcome"], "goal");
+    EXPECT_EQ(summary()["contact"], false);
+    EXPECT_GT(summary()["blind_spots_mean"], 0.0);
+    if (GetParam()[0] == 's')
+      EXPECT_LT(summary()["time_to_goal_s"], time_s) << "the velocity term saves time";
+    time_s = summary()["time_to_goal_s"];
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenarios, DepthMethodRun,
+                         testing::Values("s1.ini", "s2.ini", "e1.ini", "e2.ini"),
+                         [](const auto& test) { return std::string(test.param).substr(0, 2); });
+
 TEST_F(SimulatedRun, SummaryHasEveryKeyThatIsPromised) {
   ASSERT_EQ(drive(write("room.ini", kRoom), {"--method", "2", "--seed", "7"}).exitCode, 0);
   const nlohmann::json s = summary();

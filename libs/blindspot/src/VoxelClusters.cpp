@@ -1,5 +1,5 @@
 #include <bslnav/blindspot/VoxelClusters.h>
-#include <bslnav/costmap/VectorClones.h>
+#include <bslnav/config/VectorClones.h>
 
 #include <algorithm>
 #include <cmath>

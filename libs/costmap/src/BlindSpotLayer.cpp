@@ -1,5 +1,5 @@
+#include <bslnav/config/VectorClones.h>
 #include <bslnav/costmap/BlindSpotLayer.h>
-#include <bslnav/costmap/VectorClones.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include <bslnav/config/Config.h>
+#include <bslnav/config/VectorClones.h>
 #include <bslnav/costmap/InflationLayer.h>
-#include <bslnav/costmap/VectorClones.h>
 
 #include <algorithm>
 #include <cmath>

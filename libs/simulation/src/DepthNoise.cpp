@@ -1,10 +1,9 @@
+#include <bslnav/config/VectorClones.h>
 #include <bslnav/simulation/DepthNoise.h>
 #include <mrpt/math/distributions.h>
 
 #include <algorithm>
 #include <cmath>
-
-#include "VectorClones.h"
 
 namespace bslnav {
 namespace {

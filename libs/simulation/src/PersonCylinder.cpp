@@ -1,8 +1,8 @@
 #include "PersonCylinder.h"
 
-#include <cmath>
+#include <bslnav/config/VectorClones.h>
 
-#include "VectorClones.h"
+#include <cmath>
 
 namespace bslnav {
 namespace {

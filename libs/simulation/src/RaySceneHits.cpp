@@ -1,10 +1,10 @@
+#include <bslnav/config/VectorClones.h>
 #include <bslnav/simulation/RayScene.h>
 
 #include <algorithm>
 #include <limits>
 
 #include "RaySceneEmbree.h"
-#include "VectorClones.h"
 
 namespace bslnav {
 namespace {
