@@ -48,7 +48,8 @@ void DepthScan::layOut(const DepthFrame& frame) {
   const auto columns = static_cast<std::size_t>(frame.columns()),
              rows = static_cast<std::size_t>(frame.rows());
   const double yaw = frame.yaw_rad(), c = std::cos(yaw), s = std::sin(yaw);
-  const double width = parameters_.beamWidth_rad;
+  const double widestPixel = 1.0 / frame.geometry()[2];  // else some beams would get none
+  const double width = beamWidth_rad_ = std::max(parameters_.beamWidth_rad, 1.05 * widestPixel);
   const int half = static_cast<int>(std::ceil(M_PI / width));
   beamOf_.resize(columns * rows);
   distancePerDepth_.resize(columns * rows);
@@ -97,7 +98,7 @@ const PlanarScan& DepthScan::make(const DepthFrame& frame) {
   scan_.sensorHeight_m = static_cast<double>(frame.origin().z);
   for (std::size_t i = 0; i < directions_.size(); ++i) {
     const double angle =
-        frame.yaw_rad() + firstAngle_rad_ + static_cast<double>(i) * parameters_.beamWidth_rad;
+        frame.yaw_rad() + firstAngle_rad_ + static_cast<double>(i) * beamWidth_rad_;
     scan_.cosine[i] = static_cast<float>(std::cos(angle));
     scan_.sine[i] = static_cast<float>(std::sin(angle));
     const Direction& direction = directions_[i];

@@ -87,6 +87,8 @@ Json toJson(const RunSummary& s) {
             {"blocked_cycles", s.blockedCycles},
             {"unhealthy_cycles", s.unhealthyCycles},
             {"dropped_beams", s.droppedBeams},
+            {"dropped_depth_frames", s.droppedDepthFrames},
+            {"sensor_problem", s.sensorProblem},
             {"cycle_ms", toJson(s.cycle_ms)},
             {"stages_ms",
              {{"blind_spots", toJson(s.blindSpots_ms)},

@@ -50,6 +50,10 @@ void Metrics::add(const CycleRecord& record, const mrpt::math::TPoint2D& positio
   blocked_ += record.motion.blocked;
   unhealthy_ += record.health != CycleRecord::Health::Ok;
   droppedBeams_ += record.droppedBeams;
+  droppedDepthFrames_ += record.droppedDepthFrames;
+  // Before the first measurement arrives, all sensors are silent: that is no problem yet.
+  const bool started = unhealthy_ < cycles_ || record.droppedDepthFrames > 0;
+  if (started && sensorProblem_.empty()) sensorProblem_ = record.sensorProblem;
   goalMoved_ = record.goalMoved;
   blindSpots_ += static_cast<double>(record.blindSpots.size());
   times_.push_back(record.times);
@@ -60,6 +64,8 @@ void Metrics::finish(RunSummary& summary) const {
   summary.blockedCycles = blocked_;
   summary.unhealthyCycles = unhealthy_;
   summary.droppedBeams = droppedBeams_;
+  summary.droppedDepthFrames = droppedDepthFrames_;
+  summary.sensorProblem = sensorProblem_;
   summary.goalMoved = goalMoved_;
   summary.pathLength_m = path_m_;
   summary.meanSpeed_mps = time_s_ > 0.0 ? path_m_ / time_s_ : 0.0;

@@ -51,7 +51,7 @@ class DepthFrame {
   const mrpt::math::TPoint3Df& origin() const { return origin_; }  ///< of the camera
   double yaw_rad() const { return yaw_rad_; }                      ///< of the optical axis
   double maxRange_m() const { return maxRange_m_; }
-  /** Size, calibration and tilt: equal as long as only the robot moves. */
+  /** Columns, rows, fx, fy, cx, cy, height, pitch, roll: equal as long as only the robot moves. */
   using Geometry = std::array<double, 9>;
   const Geometry& geometry() const { return geometry_; }
 

@@ -10,9 +10,9 @@ namespace bslnav {
 
 /** Which depth points are obstacles. */
 struct DepthScanParameters {
-  double zMin_m = 0.1;  ///< above the floor and its noise
-  double zMax_m = 1.0;  ///< height of the robot
-  double beamWidth_rad = 0.5 / 180.0 * M_PI;
+  double zMin_m = 0.1;                        ///< above the floor and its noise
+  double zMax_m = 1.0;                        ///< height of the robot
+  double beamWidth_rad = 0.5 / 180.0 * M_PI;  ///< at least a pixel's width
 
   void describe(ConfigSection& section);
 };
@@ -44,6 +44,7 @@ class DepthScan {
   PlanarScan scan_;
   DepthFrame::Geometry layout_{};  // of the camera that the tables are for
   int beams_ = 0;
+  double beamWidth_rad_ = 0.0;
   double firstAngle_rad_ = 0.0;          // of beam 0 from the camera's heading
   std::vector<std::uint16_t> beamOf_;    // of each pixel
   std::vector<float> distancePerDepth_;  // of each pixel, seen from above

@@ -57,7 +57,8 @@ struct RunSummary {
   bool goalMoved = false;       ///< it was blocked: the robot drove to the nearest reachable place
   double blindSpotsMean = 0.0;  ///< per cycle
   int cycles = 0, blockedCycles = 0, unhealthyCycles = 0;
-  long droppedBeams = 0;
+  long droppedBeams = 0, droppedDepthFrames = 0;
+  std::string sensorProblem;  ///< the first one, in words; empty for none
   Percentiles cycle_ms, blindSpots_ms, costmap_ms, globalPlan_ms, motion_ms;
   int method = 0;
   std::string methodName;
@@ -78,7 +79,8 @@ class Metrics {
 
  private:
   int cycles_ = 0, blocked_ = 0, unhealthy_ = 0;
-  long droppedBeams_ = 0;
+  long droppedBeams_ = 0, droppedDepthFrames_ = 0;
+  std::string sensorProblem_;
   bool goalMoved_ = false;
   double path_m_ = 0.0, stopped_s_ = 0.0, time_s_ = 0.0, blindSpots_ = 0.0;
   mrpt::math::TPoint2D last_;
