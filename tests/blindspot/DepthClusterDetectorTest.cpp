@@ -29,7 +29,7 @@ class DepthClusterDetectorOf : public testing::TestWithParam<DepthClusterParamet
 };
 
 TEST_P(DepthClusterDetectorOf, FindsWhereTheNearestOnEachSideEnds) {
-  // A wall on the right from 1.2 to 3 m, its face at y = −0.7: seen from the camera, only the face.
+  // A wall on the right from 1.2 to 3 m, y = −0.9 to −0.7: its face and its near end are seen.
   // Two boxes on the left, the farther one (x from 4 m) does not count; of the nearer one, at 2 to
   // 2.4 m and y = 0.8 to 1.2, front and right side are seen.
   const DepthScene scene{{{1.2, 3.0, -0.9, -0.7, 0.0, 2.0},
@@ -41,7 +41,7 @@ TEST_P(DepthClusterDetectorOf, FindsWhereTheNearestOnEachSideEnds) {
   EXPECT_NEAR(spots[0].position.x, 2.4, 0.06);
   EXPECT_NEAR(spots[0].position.y, 1.0, 0.06);
   EXPECT_NEAR(spots[1].position.x, 3.0, 0.06);
-  EXPECT_NEAR(spots[1].position.y, -0.7, 0.06);
+  EXPECT_NEAR(spots[1].position.y, -0.8, 0.06);
 }
 
 TEST_P(DepthClusterDetectorOf, KnowsOneSideOnly) {

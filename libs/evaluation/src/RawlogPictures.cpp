@@ -60,6 +60,8 @@ void RawlogPictures::observe(const RawlogMoment& moment) {
   const int due = setup_.rawlog.snapshots;
   if (snapshotsTaken_ < due && moment.progress >= (snapshotsTaken_ + 0.5) / due) {
     snapshots_.add({record, moment.cycle.localCosts(), {}}, bounds_);
+    if (!moment.cycle.depthFrames().empty())
+      depthStages_.emplace_back(record, moment.cycle, setup_.navigation);
     ++snapshotsTaken_;
   }
 }
@@ -103,6 +105,9 @@ std::vector<std::string> RawlogPictures::save(const RunSummary& summary,
     paths.push_back(directory + "/snapshots.png");
     snapshots_.save(paths.back(), titleOf(log_.findings, summary));
   }
+  for (std::size_t i = 0; i < depthStages_.size(); ++i)
+    paths.push_back(depthStages_[i].save(directory, "depth-stages-" + std::to_string(i + 1),
+                                         setup_.pictures.depthClouds));
   return paths;
 }
 

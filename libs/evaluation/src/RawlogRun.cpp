@@ -156,8 +156,9 @@ RunSummary evaluateLog(const RawlogSetup& setup, const LocalizedLog& log, std::u
     last_s = frame.time_s;
     comparison.add(record);
     findings.wall_s += watch.Tac();
-    if (observer &&
-        !observer({record, cycle, frame.time_s / std::max(1e-9, log.findings.recorded_s)})) {
+    const double recorded_s = log.findings.recorded_s;
+    const double progress = recorded_s > 0.0 ? frame.time_s / recorded_s : 1.0;  // a single frame
+    if (observer && !observer({record, cycle, progress})) {
       summary.outcome = Outcome::Error;
       summary.reason = "interrupted";
       break;

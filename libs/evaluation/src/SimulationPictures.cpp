@@ -11,6 +11,10 @@ SimulationPictures::SimulationPictures(const SimulationSetup& setup,
 
 void SimulationPictures::observe(const SimulationMoment& moment) {
   trace_.observe(moment, setup_.pictures.snapshots_s);
+  const auto& due = setup_.pictures.depthStages_s;
+  if (depthStages_.size() < due.size() && !moment.cycle.depthFrames().empty() &&
+      moment.record.time_s >= due[depthStages_.size()] - 1e-6)
+    depthStages_.emplace_back(moment.record, moment.cycle, setup_.navigation);
 }
 
 std::vector<std::string> SimulationPictures::save(const RunSummary& summary,
@@ -43,6 +47,9 @@ std::vector<std::string> SimulationPictures::save(const RunSummary& summary,
     for (const CycleSnapshot& snapshot : trace_.snapshots) snapshots.add(snapshot, bounds);
     snapshots.save(paths.back(), title + ": cost map and candidates");
   }
+  for (std::size_t i = 0; i < depthStages_.size(); ++i)
+    paths.push_back(depthStages_[i].save(directory, "depth-stages-" + std::to_string(i + 1),
+                                         setup_.pictures.depthClouds));
   return paths;
 }
 

@@ -45,6 +45,12 @@ void ScenarioParameters::describe(ConfigSection& section) {
 
 void PictureParameters::describe(ConfigSection& section) {
   section.numbers("snapshots_s", snapshots_s, kNonNegative, "s", "times of the cost map snapshots");
+  section.numbers("depth_stages_s", depthStages_s, kNonNegative, "s",
+                  "times at which the stages from depth to danger zones are drawn");
+  section.choice(
+      "depth_clouds", depthClouds,
+      {{"none", CloudFormat::None}, {"pcd", CloudFormat::Pcd}, {"ply", CloudFormat::Ply}},
+      "format in which the clouds of those stages are saved, too");
   section.flag("record_candidates", recordCandidates,
                "whether to write candidates.csv: every candidate of every cycle");
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <bslnav/evaluation/CycleSnapshots.h>
+#include <bslnav/evaluation/DepthStagePage.h>
 #include <bslnav/evaluation/RawlogRun.h>
 
 #include <string>
@@ -30,6 +31,7 @@ class RawlogPictures {
       blindSpots_;
   std::vector<mrpt::math::TPoint2D> positions_, spots_;
   CycleSnapshots snapshots_;
+  std::vector<DepthStagePage> depthStages_;  // of snapshots with depth images
   int snapshotsTaken_ = 0;
 };
 

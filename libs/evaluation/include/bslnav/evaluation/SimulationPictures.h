@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bslnav/evaluation/DepthStagePage.h>
 #include <bslnav/evaluation/RunTrace.h>
 
 #include <string>
@@ -24,6 +25,7 @@ class SimulationPictures {
   const SimulationSetup& setup_;
   std::shared_ptr<const mrpt::maps::COccupancyGridMap2D> map_;
   RunTrace trace_;
+  std::vector<DepthStagePage> depthStages_;
 };
 
 }  // namespace bslnav

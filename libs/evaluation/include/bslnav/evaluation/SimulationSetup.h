@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bslnav/evaluation/PointCloudFile.h>
 #include <bslnav/navigation/LocalizationParticleFilter.h>
 #include <bslnav/navigation/NavigationParameters.h>
 #include <bslnav/simulation/DepthCameraParameters.h>
@@ -46,7 +47,8 @@ struct ScenarioParameters {
 };
 
 struct PictureParameters {
-  std::vector<double> snapshots_s;
+  std::vector<double> snapshots_s, depthStages_s;
+  CloudFormat depthClouds = CloudFormat::None;
   bool recordCandidates = false;
 
   void describe(ConfigSection& section);

@@ -33,6 +33,8 @@ class DepthCameras {
   /** The images taken since a time, brought to where the robot is now; valid until the next cycle.
    */
   const std::vector<const DepthFrame*>& framesSince(double time_s, const MotionHistory& motion);
+  /** What framesSince() returned last. */
+  const std::vector<const DepthFrame*>& frames() const { return frames_; }
   /** The scans made of this cycle's new images. */
   const std::vector<PlanarScan>& newScans();
   bool hasNew() const;

@@ -39,6 +39,8 @@ class NavigationCycle {
 
   /** The pipeline from depth to blind spots, as it was in the last cycle with depth. */
   const DepthClusterDetector& depthClusters() const { return depthClusters_; }
+  /** The depth images that it was made of, in the robot frame of that cycle; empty without. */
+  const std::vector<const DepthFrame*>& depthFrames() const { return depthCameras_.frames(); }
   const CostGrid& localCosts() const { return local_.costs(); }
   /** What the global planner plans on: the whole map, or without a map the local costs without
    * blind spots. */
