@@ -41,8 +41,9 @@ TEST_P(DepthMethodRun, ReachesTheGoalWithoutContact) {
     EXPECT_EQ(summary()["outcome"], "goal");
     EXPECT_EQ(summary()["contact"], false);
     EXPECT_GT(summary()["blind_spots_mean"], 0.0);
-    if (GetParam()[0] == 's')
+    if (GetParam()[0] == 's') {
       EXPECT_LT(summary()["time_to_goal_s"], time_s) << "the velocity term saves time";
+    }
     time_s = summary()["time_to_goal_s"];
   }
 }

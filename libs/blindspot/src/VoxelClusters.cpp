@@ -68,7 +68,8 @@ VoxelClusters::VoxelClusters(const DepthClusterParameters& parameters)
     for (int dy = dx == 0 ? 0 : -reach_; dy <= reach_; ++dy) {
       const double gapX = std::max(0, dx - 1), gapY = std::max(0, std::abs(dy) - 1);
       if (gapX * gapX + gapY * gapY < reachSquared)
-        neighbours_.push_back({static_cast<std::ptrdiff_t>(dx) * side_ + dy, dx, dy});
+        neighbours_.push_back(
+            {static_cast<std::ptrdiff_t>(dx) * side_ + dy, dx <= 1 && std::abs(dy) <= 1});
     }
 }
 
@@ -156,18 +157,44 @@ void VoxelClusters::keepVoxels() {
     }
 }
 
-/** Joins voxels that are near enough (step 2c). */
+/** Joins voxels that are near enough (step 2c): adjacent columns first, since after that most pairs
+ * of columns farther apart are of one cluster already and need no look. */
 void VoxelClusters::connect() {
   parent_.resize(cloud_.points.size());
   for (std::size_t i = 0; i < parent_.size(); ++i) parent_[i] = static_cast<int>(i);
+  joinNeighbours(true);
+  common_.resize(columns_.size());
+  for (std::size_t block = 0; block < columns_.size(); ++block) common_[block] = commonPoint(block);
+  joinNeighbours(false);
+}
+
+void VoxelClusters::joinNeighbours(bool adjacent) {
   for (std::size_t block = 0; block < columns_.size(); ++block) {
     if (occupied_[block] == 0) continue;
     for (const Offset& offset : neighbours_) {
-      const int other = blockOf_[static_cast<std::size_t>(columns_[block] + offset.column)];
-      if (other >= 0 && occupied_[static_cast<std::size_t>(other)] != 0)
-        join(block, static_cast<std::size_t>(other), offset.column == 0);
+      if (offset.adjacent != adjacent) continue;
+      const int found = blockOf_[static_cast<std::size_t>(columns_[block] + offset.column)];
+      if (found < 0) continue;
+      const auto other = static_cast<std::size_t>(found);
+      if (occupied_[other] == 0) continue;
+      const bool joined = !adjacent && common_[block] >= 0 && common_[other] >= 0 &&
+                          rootOf(common_[block]) == rootOf(common_[other]);
+      if (!joined) join(block, other, offset.column == 0);
     }
   }
+}
+
+/** A point of a column whose points are all of one cluster; −1 if they are not, or there is none.
+ */
+int VoxelClusters::commonPoint(std::size_t block) {
+  int common = -1;
+  for (std::uint64_t left = occupied_[block]; left != 0; left &= left - 1) {
+    const auto layer = static_cast<std::size_t>(__builtin_ctzll(left));
+    const int point = voxels_[block * static_cast<std::size_t>(layers_) + layer].count;
+    if (common >= 0 && rootOf(point) != rootOf(common)) return -1;
+    common = point;
+  }
+  return common;
 }
 
 void VoxelClusters::join(std::size_t block, std::size_t other, bool same) {

@@ -28,7 +28,7 @@ class VoxelClusters {
   };
   struct Offset {
     std::ptrdiff_t column;
-    int x, y;
+    bool adjacent;
   };
 
   void clear();
@@ -38,6 +38,8 @@ class VoxelClusters {
   void keepVoxels();
   void join(std::size_t block, std::size_t other, bool same);
   void connect();
+  void joinNeighbours(bool adjacent);
+  int commonPoint(std::size_t block);
   int rootOf(int point);
   void number();
 
@@ -50,6 +52,7 @@ class VoxelClusters {
   std::vector<std::uint64_t> occupied_;        // of each block: one bit a voxel
   std::vector<float> x_, y_, z_;               // of a row of pixels
   std::vector<int> key_;
+  std::vector<int> common_;  // a point of each block if all are joined, or −1
   std::vector<int> parent_, size_;
   ClusteredCloud cloud_;
 };
