@@ -68,8 +68,8 @@ void printSummary(std::ostream& out, const std::string& name, const RunSummary& 
   else
     addDriven(s, rows);
   if (!s.sensorProblem.empty())
-    rows.emplace_back("sensors", std::to_string(s.unhealthyCycles) + " cycles without, first: " +
-                                     s.sensorProblem);
+    rows.emplace_back("sensors", std::to_string(s.unhealthyCycles) +
+                                     " cycles without, first: " + s.sensorProblem);
   rows.emplace_back("blind spots", text("%.1f a cycle", s.blindSpotsMean));
   rows.emplace_back("cycle", text("%.2f ms median", s.cycle_ms.p50) +
                                  text(", %.2f ms 99 %%", s.cycle_ms.p99) +
