@@ -25,15 +25,6 @@ std::string format(double value) {
   return {buffer, end};
 }
 
-/** Degrees of a value kept in radians: twelve digits hide the rounding of the conversion. */
-std::string formatDegrees(double value_rad) {
-  char buffer[32];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value_rad * kDegreesPerRadian,
-                                 std::chars_format::general, 12)
-                       .ptr;
-  return {buffer, end};
-}
-
 double parse(const std::string& text) {
   const std::string word = trimmed(text);
   double value = 0.0;
@@ -42,6 +33,21 @@ double parse(const std::string& text) {
     throw std::invalid_argument("not a number");
   if (!std::isfinite(value)) throw std::invalid_argument("not finite");
   return value;
+}
+
+/** Degrees of a value kept in radians: twelve digits hide the rounding of the conversion, where
+ * they read back as the same number; else as many as it takes. */
+std::string formatDegrees(double value_rad) {
+  char buffer[32];
+  const double degrees = value_rad * kDegreesPerRadian;
+  const auto end =
+      std::to_chars(buffer, buffer + sizeof buffer, degrees, std::chars_format::general, 12).ptr;
+  const std::string rounded(buffer, end);
+  if (parse(rounded) / kDegreesPerRadian == value_rad) return rounded;
+  for (const double nearby :
+       {degrees, std::nextafter(degrees, HUGE_VAL), std::nextafter(degrees, -HUGE_VAL)})
+    if (nearby / kDegreesPerRadian == value_rad) return format(nearby);
+  return format(degrees);
 }
 
 double checked(double value, Range range) {
