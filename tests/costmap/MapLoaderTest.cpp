@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <mrpt/maps/COccupancyGridMap2D.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -16,7 +17,10 @@ using testing::HasSubstr;
 const std::string kMrptData = "/usr/share/mrpt/datasets/";
 
 std::string write(const std::string& name, const std::string& content) {
-  const std::string file = testing::TempDir() + "bslnav_map_" + name;
+  // A directory of this process: others write files of the same names at the same time.
+  const std::string directory = testing::TempDir() + "bslnav_maps_" + std::to_string(getpid());
+  std::filesystem::create_directories(directory);
+  const std::string file = directory + "/bslnav_map_" + name;
   std::ofstream(file, std::ios::binary) << content;
   return file;
 }
