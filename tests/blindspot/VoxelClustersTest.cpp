@@ -46,9 +46,14 @@ bool isOnTheEdge(const PointCloud& points, double tolerance_m) {
   return false;
 }
 
+/** Evenly distributed from the first case on; by itself RapidCheck begins at the lower end. */
+int anyFrom(int low, int high) {
+  return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, high));
+}
+
 SceneBox anyBox() {
-  const auto metres = [](int low, int high) { return *rc::gen::inRange(low, high) / 100.0; };
-  const double x = metres(60, 500), y = metres(-250, 250), z = metres(0, 120);
+  const auto metres = [](int low, int high) { return anyFrom(low, high) / 100.0; };
+  const double x = metres(60, 350), y = metres(-200, 120), z = metres(0, 80);
   return {x, x + metres(5, 150), y, y + metres(5, 150), z, z + metres(5, 180)};
 }
 
@@ -66,15 +71,18 @@ std::vector<const DepthFrame*> pointersTo(const std::vector<DepthFrame>& frames)
 
 RC_GTEST_PROP(VoxelClusters, EqualPcl, ()) {
   DepthScene scene;
-  const int count = *rc::gen::inRange(0, 6);
+  const int count = anyFrom(1, 8);
   for (int i = 0; i < count; ++i) scene.boxes.push_back(anyBox());
-  std::vector<DepthFrame> frames(*rc::gen::inRange(1, 3));
+  std::vector<DepthFrame> frames(static_cast<std::size_t>(anyFrom(1, 3)));
   for (std::size_t i = 0; i < frames.size(); ++i)
-    frames[i].assign(scene.picture(test::cameraAt(*rc::gen::inRange(30, 150) / 100.0,
-                                                  *rc::gen::inRange(0, 40) / 100.0,
+    frames[i].assign(scene.picture(test::cameraAt(anyFrom(30, 150) / 100.0, anyFrom(0, 40) / 100.0,
                                                   static_cast<double>(i) * 0.9)));
   DepthClusterParameters p = fewVoxels();
-  p.fewestPoints = *rc::gen::inRange(1, 4);
+  p.fewestPoints = anyFrom(1, 4);
+  p.fewestVoxels = anyFrom(1, 20);
+  p.maxRange_m = anyFrom(200, 600) / 100.0;  // mostly within a voxel
+  // Centroids on surfaces in line with the grid are whole leaves apart: no such tolerance.
+  p.tolerance_m = anyFrom(1010, 1490) / 10000.0 + 3e-5;
   VoxelClusters dense(p);
   const ClusteredCloud& fast = dense.cluster(pointersTo(frames));
   const DepthStages plain = depthStages(pointersTo(frames), p);
@@ -82,6 +90,8 @@ RC_GTEST_PROP(VoxelClusters, EqualPcl, ()) {
   const auto match = matches(fast.points, plain.clustered.points);
   RC_ASSERT(std::count(match.begin(), match.end(), -1) == 0);
   RC_PRE(!isOnTheEdge(fast.points, p.tolerance_m));  // there, rounding decides
+  RC_CLASSIFY(fast.clusters == 0, "no cluster");
+  RC_CLASSIFY(fast.clusters > 1, "several clusters");
   RC_ASSERT(isSamePartition(fast, plain.clustered, match));
 }
 
@@ -94,6 +104,18 @@ TEST(VoxelClusters, HaveNothingOfAnEmptyFloor) {
   VoxelClusters clusters(fewVoxels());
   EXPECT_TRUE(clusters.cluster({&frame}).points.empty());
   EXPECT_EQ(clusters.cluster({}).clusters, 0);
+}
+
+TEST(VoxelClusters, EndWithTheVoxelThatHoldsTheMaximumRange) {
+  DepthFrame frame;
+  frame.assign(DepthScene{{{0.9, 2.5, -1.0, -0.8, 0.0, 2.0}}, 0.0}.picture(test::cameraAt(0.6, 0.1),
+                                                                           160, 120));
+  DepthClusterParameters p = fewVoxels();
+  p.maxRange_m = 1.52;  // the last voxel reaches to 1.55 m
+  VoxelClusters dense(p);
+  const auto& fast = dense.cluster({&frame});
+  EXPECT_EQ(fast.points.size(), depthStages({&frame}, p).clustered.points.size());
+  for (const auto& point : fast.points) EXPECT_LT(point.x, 1.55f);
 }
 
 TEST(VoxelClusters, JoinTheViewsOfTwoCameras) {

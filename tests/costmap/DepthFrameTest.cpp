@@ -77,6 +77,12 @@ TEST(DepthFrame, SaysWhyAnImageCannotBeUsed) {
   auto uncalibrated = image;
   uncalibrated.cameraParams.setIntrinsicParamsFromValues(0.0, 0.0, 0.0, 0.0);
   EXPECT_EQ(frameOf(uncalibrated).status(), Status::NoCalibration);
+  auto withoutUnits = image;
+  withoutUnits.rangeUnits = 0.0f;
+  EXPECT_EQ(frameOf(withoutUnits).status(), Status::NoCalibration);
+  auto turned = image;
+  turned.sensorPose = {0.0, 0.0, 0.6, 0.0, std::numeric_limits<double>::quiet_NaN(), 0.0};
+  EXPECT_EQ(frameOf(turned).status(), Status::NoCalibration);
   auto otherSize = image;
   otherSize.cameraParams.ncols = 640;
   EXPECT_EQ(frameOf(otherSize).status(), Status::NoCalibration);
@@ -107,6 +113,26 @@ TEST(DepthFrame, NoticesACameraUpsideDown) {
   const DepthFrame frame = frameOf(image);
   EXPECT_EQ(frame.status(), Status::FloorAmiss);
   EXPECT_NEAR(frame.floorHeight_m(), 1.2, 0.06);  // the floor is mirrored at the camera
+}
+
+TEST(DepthFrame, NoticesACameraSaidToHangUpsideDownAtEveryPitch) {
+  for (const double pitch : {0.0, 0.05, 0.1, 0.1745, 0.3}) {
+    auto image = DepthScene{}.picture(cameraAt(0.6, pitch), 160, 120);
+    image.sensorPose = {0.0, 0.0, 0.6, 0.0, pitch, kPi};
+    const DepthFrame frame = frameOf(image);
+    ASSERT_EQ(frame.status(), Status::FloorAmiss) << pitch;
+    // A floor point at depth d comes out at 1.2 m - 2 d sin(pitch), at d cos(pitch) and more ahead.
+    EXPECT_NEAR(frame.floorHeight_m(), 1.2, 0.15) << pitch;
+  }
+}
+
+TEST(DepthFrame, NoticesAWrongPitch) {
+  auto image = DepthScene{}.picture(cameraAt(0.6, 0.2), 160, 120);
+  image.sensorPose = cameraAt(0.6, 0.4);  // the floor seems to fall by 0.2 rad
+  const DepthFrame frame = frameOf(image);
+  ASSERT_EQ(frame.status(), Status::FloorAmiss);
+  EXPECT_NEAR(frame.floorHeight_m(), 0.0, 0.05);
+  EXPECT_NEAR(frame.floorTilt_rad(), 0.2, 0.02);
 }
 
 TEST(DepthFrame, TakesWallsAndTablesForWhatTheyAre) {

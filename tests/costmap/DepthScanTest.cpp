@@ -139,6 +139,29 @@ TEST_F(DepthObstacles, ATallThingThatLeftIsClearedEvenBelowTheViewOfTheFloor) {
   EXPECT_FALSE(isMarkedNear(1.2, 0.0));
 }
 
+TEST(ObstacleLayer, ClearsATallThingWhereTheFloorIsSeenOnlyBeyondTheRaytraceRange) {
+  ObstacleParameters parameters;  // raytrace_range_m = 6
+  ObstacleLayer layer(parameters, Footprint{}, CostGrid(200, 100, 0.05, 0.0, -2.5));
+  PlanarScan scan;
+  const auto seeAt = [&](float range_m) {
+    scan.reset({}, 10.0, 3);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double angle = 0.01 * (static_cast<double>(i) - 1.0);
+      scan.cosine[i] = static_cast<float>(std::cos(angle));
+      scan.sine[i] = static_cast<float>(std::sin(angle));
+      scan.setBeam(i, Beam::Hit, range_m);
+    }
+    scan.start_m.assign(3, 7.0f);
+    scan.top_m.assign(3, 1.0f);
+    scan.sensorHeight_m = 1.2;
+    layer.update({0.025, 0.025, 0.0}, {scan});
+  };
+  seeAt(2.0f);
+  ASSERT_EQ(layer.grid().costAt(2.026, 0.025), kLethalCost);
+  seeAt(4.0f);  // what is above 1.2 (1 - 2/7) = 0.86 m at 2 m would still be seen
+  EXPECT_EQ(layer.grid().costAt(2.026, 0.025), kFreeCost);
+}
+
 TEST_F(DepthObstacles, AreInPlaceAfterAMapThatRolledBeforeTheFirstImage) {
   costmap_.update({3.0, 1.0, 0.0}, {}, {});
   see(kTable, {3.0, 1.0, 0.0});

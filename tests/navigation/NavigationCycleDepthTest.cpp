@@ -26,7 +26,9 @@ NavigationParameters method3() {
   return parameters;
 }
 
-CObservation3DRangeScan::ConstPtr taken(CObservation3DRangeScan image, double time_s) {
+CObservation3DRangeScan::ConstPtr taken(CObservation3DRangeScan image, double time_s,
+                                        const char* label = "camera") {
+  image.sensorLabel = label;
   image.timestamp = mrpt::Clock::fromDouble(kEpoch_s + time_s);
   return std::make_shared<const CObservation3DRangeScan>(std::move(image));
 }
@@ -81,9 +83,8 @@ TEST_F(NavigationCycleDepth, KeepsItsZonesBetweenTheImagesOfASlowCamera) {
 TEST_F(NavigationCycleDepth, JoinsCamerasOfDifferentRates) {
   auto left =
       DepthScene{{{1.2, 1.6, 1.2, 1.6, 0.0, 2.0}}, 0.0}.picture(cameraAt(0.6, 0.1, 0.9), 160, 120);
-  left.sensorLabel = "left";
   SensorFrame both = frameAt(0.0);
-  both.depth = {taken(corner_, 0.0), taken(left, 0.0)};
+  both.depth = {taken(corner_, 0.0), taken(left, 0.0, "left")};
   EXPECT_EQ(cycle_.step(both).blindSpots.size(), 2U);
   EXPECT_EQ(see(corner_, 0.1).blindSpots.size(), 2U);  // the left one's image is 0.1 s old
   for (int i = 2; i < 8; ++i) see(corner_, 0.1 * i);
@@ -112,6 +113,43 @@ TEST_F(NavigationCycleDepth, StopsAndSaysWhyWhenImagesAreNoUse) {
                                                  testing::HasSubstr(why)));
     EXPECT_LT(record.motion.command.vx, 0.5);
   }
+}
+
+TEST_F(NavigationCycleDepth, AnUnusableSecondImageLeavesTheFirst) {
+  auto blind = corner_;
+  blind.rangeImage.fill(0);
+  SensorFrame frame = frameAt(0.0);
+  frame.depth = {taken(corner_, 0.0), taken(blind, 0.0)};
+  EXPECT_EQ(cycle_.step(frame).blindSpots.size(), 1U);
+}
+
+TEST_F(NavigationCycleDepth, NamesTheCameraThatIsNoUseThoughAnotherOneIsFine) {
+  auto blind = corner_;
+  blind.rangeImage.fill(0);
+  for (int i = 0; i < 10; ++i) {  // the bad one was never announced, and never usable
+    SensorFrame frame = frameAt(0.1 * i);
+    frame.depth = {taken(blind, 0.1 * i, "bad"), taken(corner_, 0.1 * i, "good")};
+    const CycleRecord& record = cycle_.step(frame);
+    EXPECT_EQ(record.health, Health::StaleSensor);
+    EXPECT_THAT(reasonOf(record),
+                testing::AllOf(testing::HasSubstr("'bad'"), testing::HasSubstr("no pixel")));
+  }
+  SensorFrame silent = frameAt(1.0);
+  silent.depth = {taken(corner_, 1.0, "good")};
+  EXPECT_THAT(reasonOf(cycle_.step(silent)), testing::HasSubstr("'bad'"));
+}
+
+TEST_F(NavigationCycleDepth, TwoCamerasOfDifferentRatesAllocateNothing) {
+  std::vector<SensorFrame> frames;
+  for (int i = 0; i < 12; ++i) {
+    frames.push_back(frameAt(0.1 * i));
+    frames.back().depth = {taken(corner_, 0.1 * i, "fast")};
+    if (i % 3 == 0) frames.back().depth.push_back(taken(corner_, 0.1 * i, "slow"));
+  }
+  for (std::size_t i = 0; i < 6; ++i) cycle_.step(frames[i]);
+  const long before = test::heapUse().allocations;
+  for (std::size_t i = 6; i < 12; ++i) cycle_.step(frames[i]);
+  EXPECT_EQ(test::heapUse().allocations, before);
 }
 
 TEST_F(NavigationCycleDepth, IgnoresDepthThatIsNotEnabled) {

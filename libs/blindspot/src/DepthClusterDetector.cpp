@@ -14,13 +14,13 @@ DepthClusterParameters forDense(DepthClusterParameters parameters) {
                                                                     : DepthClusterParameters{};
 }
 
-PointCloud pointsOf(const std::vector<const DepthFrame*>& frames, double maxRange_m) {
+PointCloud pointsOf(const std::vector<const DepthFrame*>& frames, double reach_m) {
   PointCloud points;
   for (const DepthFrame* frame : frames) {
     const PointCloud more = frame->points();
     points.insert(points.end(), more.begin(), more.end());
   }
-  return within(points, maxRange_m);
+  return within(points, reach_m);
 }
 
 }  // namespace
@@ -51,7 +51,7 @@ const ClusteredCloud& DepthClusterDetector::clusterWithPcl(
 DepthStages depthStages(const std::vector<const DepthFrame*>& frames,
                         const DepthClusterParameters& p) {
   DepthStages stages;
-  stages.points = pointsOf(frames, p.maxRange_m);
+  stages.points = pointsOf(frames, p.reach() * p.leaf_m);
   stages.voxels = voxelGrid(stages.points, p.leaf_m, p.fewestPoints);
   stages.clustered = euclideanClusters(passThrough(stages.voxels, p.zMin_m, p.zMax_m),
                                        p.tolerance_m, p.fewestVoxels);

@@ -27,7 +27,11 @@ void DepthClusterParameters::describe(ConfigSection& section) {
   section.integer("voxels_per_cluster", fewestVoxels, {1, 1000000}, "",
                   "a cluster with fewer voxels hides nobody: poles, small boxes");
   section.number("max_range_m", maxRange_m, {0.5, 30.0}, "m",
-                 "points farther ahead, behind or aside do not count");
+                 "points farther ahead, behind or aside do not count; rounded up to whole voxels");
+}
+
+int DepthClusterParameters::reach() const {
+  return static_cast<int>(std::ceil(maxRange_m / leaf_m - 1e-6));
 }
 
 int DepthClusterParameters::layers() const {

@@ -57,7 +57,7 @@ std::uint64_t window(int layer, int reach) {
 
 VoxelClusters::VoxelClusters(const DepthClusterParameters& parameters)
     : parameters_(parameters),
-      half_(static_cast<int>(std::ceil(parameters.maxRange_m / parameters.leaf_m))),
+      half_(parameters.reach()),
       lowest_(static_cast<int>(std::floor(parameters.zMin_m / parameters.leaf_m))),
       layers_(parameters.layers()),
       reach_(static_cast<int>(std::ceil(parameters.tolerance_m / parameters.leaf_m - 1e-6))) {

@@ -2,7 +2,6 @@
 #include <bslnav/costmap/DepthFrame.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -26,33 +25,9 @@ BSLNAV_VECTOR_CLONES unsigned scaleRow(const std::uint16_t* __restrict raw, floa
   return bits;
 }
 
-/** Heights of flat surfaces, in bins, from samples of an image. */
-class FlatHeights {
- public:
-  void add(double z_m) {
-    const double bin = (z_m - kLowest_m) / kBin_m;
-    if (bin >= 0.0 && bin < kBins) ++counts_[static_cast<std::size_t>(bin)];
-    floor_ += std::abs(z_m) <= kFloorTolerance_m;
-    ++total_;
-  }
-  int total() const { return total_; }
-  bool hasFloor() const { return 10 * floor_ >= total_; }
-  /** The middle of the two neighbouring bins that hold half of all, if any do. */
-  bool peak(double& z_m) const {
-    for (std::size_t i = 1; i < kBins; ++i)
-      if (2 * (counts_[i - 1] + counts_[i]) >= total_) {
-        z_m = kLowest_m + static_cast<double>(i) * kBin_m;
-        return true;
-      }
-    return false;
-  }
-
- private:
-  static constexpr std::size_t kBins = 120;
-  static constexpr double kLowest_m = -2.0, kBin_m = 0.05, kFloorTolerance_m = 0.1;
-  std::array<int, kBins> counts_{};
-  int total_ = 0, floor_ = 0;
-};
+bool isFinite(const mrpt::poses::CPose3D& pose) {
+  return std::isfinite(pose.norm()) && pose.getRotationMatrix().asEigen().allFinite();
+}
 
 }  // namespace
 
@@ -77,7 +52,8 @@ bool DepthFrame::isCalibrated(const CObservation3DRangeScan& image) const {
                         static_cast<Eigen::Index>(camera.nrows) == image.rangeImage.rows();
   const auto positive = [](double value) { return std::isfinite(value) && value > 0.0; };
   return sameSize && positive(camera.fx()) && positive(camera.fy()) && std::isfinite(camera.cx()) &&
-         std::isfinite(camera.cy()) && std::isfinite(image.sensorPose.norm());
+         std::isfinite(camera.cy()) && positive(static_cast<double>(image.rangeUnits)) &&
+         isFinite(image.sensorPose);
 }
 
 void DepthFrame::setRays(const CObservation3DRangeScan& image,
@@ -139,22 +115,28 @@ bool DepthFrame::convert(const CObservation3DRangeScan& image) {
   return bits != 0;
 }
 
-/** Looks at pairs of pixels above each other: where they are at the same height, a surface lies
- * flat. A floor that is seen at all is most of what lies flat. */
+/** Looks at pairs of pixels above each other: where they differ less in height than in distance, a
+ * surface is no wall. What is seen of a floor at all is most of that. */
 bool DepthFrame::isFloorAmiss() {
   constexpr int kStride = 6, kPair = 3;
-  constexpr float kSteepest = 0.15f;  // rise over distance of a flat surface
-  FlatHeights flat;
-  int samples = 0;
+  constexpr float kSteepest = 0.6f;  // rise over distance
+  floor_.clear();
+  std::size_t samples = 0;
+  const TPoint3Df foot(origin_.x, origin_.y, 0.0f);
   for (int v = 0; v + kPair < rows_; v += kStride)
     for (int u = 0; u < columns_; u += kStride) {
       if (!(depthRow(v)[u] > 0.0f && depthRow(v + kPair)[u] > 0.0f)) continue;
       ++samples;
       const TPoint3Df a = point(u, v), b = point(u, v + kPair);
-      if (std::abs(a.z - b.z) < kSteepest * (a - b).norm()) flat.add(0.5 * (a.z + b.z));
+      if (std::abs(a.z - b.z) < kSteepest * (a - b).norm()) floor_.add((a + b) * 0.5f - foot);
     }
-  const bool enough = 10 * flat.total() >= samples && flat.total() >= 20;
-  return enough && !flat.hasFloor() && flat.peak(floorHeight_m_);
+  if (floor_.size() < 20 || 10 * floor_.size() < samples) return false;
+  const auto plane = floor_.misplacedFloor();
+  if (plane) {
+    floorHeight_m_ = plane->height_m;
+    floorTilt_rad_ = std::atan(std::hypot(plane->rise_x, plane->rise_y));
+  }
+  return plane.has_value();
 }
 
 TPoint3Df DepthFrame::point(int u, int v) const {
@@ -182,10 +164,11 @@ std::string describe(const DepthFrame& frame) {
     case DepthFrame::Status::NoDepth:
       return "no pixel has a depth";
     case DepthFrame::Status::FloorAmiss: {
-      char text[120];
+      char text[160];
       std::snprintf(text, sizeof text,
-                    "the floor appears at a height of %.2f m: the camera's pose is wrong",
-                    frame.floorHeight_m());
+                    "below the camera the floor appears at a height of %.2f m, tilted by %.0f "
+                    "degrees: the camera's pose is wrong",
+                    frame.floorHeight_m(), frame.floorTilt_rad() * 180.0 / M_PI);
       return text;
     }
     case DepthFrame::Status::Ok:

@@ -185,7 +185,7 @@ void ObstacleLayer::clearBelowView(const mrpt::math::TPose2D& mapFromRobot,
   const auto sensor = mapFromRobot + scan.robotFromSensor();
   double reach_m = 0.0;
   for (const float start_m : scan.start_m)
-    if (start_m < parameters_.raytraceRange_m) reach_m = std::max<double>(reach_m, start_m);
+    reach_m = std::max(reach_m, std::min<double>(start_m, parameters_.raytraceRange_m));
   const CellWindow around =
       CellWindow{grid_.cellX(sensor.x - reach_m), grid_.cellY(sensor.y - reach_m),
                  grid_.cellX(sensor.x + reach_m) + 1, grid_.cellY(sensor.y + reach_m) + 1}
@@ -200,10 +200,12 @@ void ObstacleLayer::clearBelowView(const mrpt::math::TPose2D& mapFromRobot,
       const double angle = mrpt::math::wrapTo2Pi(std::atan2(dy, dx) - first + 0.5 * step);
       const auto beam = static_cast<std::size_t>(angle / step);
       if (beam >= scan.beam.size() || scan.beam[beam] == PlanarScan::Beam::Dropped) continue;
-      const double range_m = std::hypot(dx, dy), start_m = scan.start_m[beam];
+      const double range_m = std::hypot(dx, dy);
+      const double start_m = scan.start_m[beam];
       const double lowestSeen_m = scan.sensorHeight_m * (1.0 - range_m / start_m);
       const bool sees = tops_.at(x, y) * kTopUnit_m > lowestSeen_m + kTopUnit_m;
-      if (sees && range_m < start_m && range_m + grid_.getResolution() < scan.range_m[beam])
+      if (sees && range_m < std::min(start_m, parameters_.raytraceRange_m) &&
+          range_m + grid_.getResolution() < scan.range_m[beam])
         grid_.at(x, y) = kFreeCost;
     }
 }

@@ -18,11 +18,9 @@ DepthCameras::Camera& DepthCameras::cameraOf(const std::string& label) {
 const DepthFrame& DepthCameras::add(const mrpt::obs::CObservation3DRangeScan::ConstPtr& image,
                                     double stamp_s, const MotionHistory& motion) {
   Camera& camera = cameraOf(image->sensorLabel);
-  camera.frame.assign(*image, motion.nowFromThen(stamp_s));
-  if (camera.frame.status() != DepthFrame::Status::Ok) {
-    std::swap(refused_, camera.frame);
-    return refused_;
-  }
+  incoming_.assign(*image, motion.nowFromThen(stamp_s));
+  if (incoming_.status() != DepthFrame::Status::Ok) return incoming_;
+  std::swap(incoming_, camera.frame);
   camera.image = image;
   camera.stamp_s = stamp_s;
   camera.isNew = true;
@@ -41,13 +39,14 @@ const std::vector<const DepthFrame*>& DepthCameras::framesSince(double time_s,
 }
 
 const std::vector<PlanarScan>& DepthCameras::newScans() {
-  std::size_t count = 0;
+  for (; !scans_.empty(); scans_.pop_back()) spareScans_.push_back(std::move(scans_.back()));
   for (Camera& camera : cameras_) {
     if (!camera.isNew) continue;
-    if (scans_.size() <= count) scans_.emplace_back();
-    scans_[count++] = camera.scan.make(camera.frame);
+    if (spareScans_.empty()) spareScans_.emplace_back();
+    scans_.push_back(std::move(spareScans_.back()));
+    spareScans_.pop_back();
+    scans_.back() = camera.scan.make(camera.frame);
   }
-  scans_.resize(count);
   return scans_;
 }
 

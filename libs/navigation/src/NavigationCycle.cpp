@@ -120,8 +120,7 @@ CycleRecord::Health NavigationCycle::takeOver(const SensorFrame& frame) {
   // Between two scans of a slow sensor the robot goes on with what it knows, until that is stale.
   if (sensors_.oldestAge_s(frame.time_s) <= parameters_.cycle.sensorMaxAge_s)
     return CycleRecord::Health::Ok;
-  record_.sensorProblem =
-      depthProblem_.empty() ? "nothing new from " + sensors_.oldest() : depthProblem_;
+  record_.sensorProblem = sensors_.problemOfOldest();
   return CycleRecord::Health::StaleSensor;
 }
 
@@ -155,12 +154,11 @@ void NavigationCycle::takeOverDepth(const SensorFrame& frame) {
     ++record_.depthFrames;
     if (taken.status() == DepthFrame::Status::Ok) {
       sensors_.heard(SensorKind::Camera, image->sensorLabel, stamp_s, frame.time_s);
-      depthProblem_.clear();
       continue;
     }
     ++record_.droppedDepthFrames;
-    depthProblem_ = "depth camera '" + image->sensorLabel + "': " + describe(taken);
-    record_.sensorProblem = depthProblem_;
+    record_.sensorProblem = "depth camera '" + image->sensorLabel + "': " + describe(taken);
+    sensors_.refused(SensorKind::Camera, image->sensorLabel, record_.sensorProblem);
   }
 }
 

@@ -26,11 +26,13 @@ struct DepthClusterParameters {
   double zMax_m = 1.8;        ///< higher is above people
   double tolerance_m = 0.15;  ///< neighbours in a cluster are at most this far apart (step 2c)
   int fewestVoxels = 200;     ///< smaller clusters hide nobody
-  double maxRange_m = 6.0;    ///< |x| and |y| of a point are below this
+  double maxRange_m = 6.0;    ///< |x| and |y| of a point are below this, rounded up to whole voxels
 
   void describe(ConfigSection& section);
   /** @throws Error on values that do not go together. */
   void check() const;
+  /** maxRange in voxels, rounded up: voxels are whole. */
+  int reach() const;
   /** Heights of a voxel from zMin to zMax. */
   int layers() const;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bslnav/costmap/FloorCheck.h>
 #include <mrpt/math/TPoint3D.h>
 #include <mrpt/math/TPose2D.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>
@@ -24,7 +25,7 @@ class DepthFrame {
     NoImage,        ///< there is no range image
     NoCalibration,  ///< the camera's parameters are missing or not of this image
     NoDepth,        ///< no pixel has a depth
-    FloorAmiss      ///< what lies flat and wide lies at another height than the floor: wrong pose
+    FloorAmiss      ///< the widest flat surface is not where the floor is: the pose is wrong
   };
   struct Rays {
     std::vector<float> x, y, z;
@@ -37,8 +38,9 @@ class DepthFrame {
               const mrpt::math::TPose2D& robotFromThen = {});
 
   Status status() const { return status_; }
-  /** Height of the widest flat surface when the status is FloorAmiss [m]. */
+  /** When the status is FloorAmiss: where the floor appears, below the camera, and how tilted. */
   double floorHeight_m() const { return floorHeight_m_; }
+  double floorTilt_rad() const { return floorTilt_rad_; }
 
   int columns() const { return columns_; }
   int rows() const { return rows_; }
@@ -69,7 +71,8 @@ class DepthFrame {
 
   Status status_ = Status::NoImage;
   int columns_ = 0, rows_ = 0;
-  double yaw_rad_ = 0.0, maxRange_m_ = 0.0, floorHeight_m_ = 0.0;
+  double yaw_rad_ = 0.0, maxRange_m_ = 0.0, floorHeight_m_ = 0.0, floorTilt_rad_ = 0.0;
+  FloorCheck floor_;
   std::vector<float> depth_m_;
   Rays columnRays_, rowRays_;
   Geometry geometry_{};

@@ -44,9 +44,9 @@ class DepthCameras {
 
   DepthScanParameters parameters_;
   std::deque<Camera> cameras_;
-  DepthFrame refused_;
+  DepthFrame incoming_;
   std::vector<const DepthFrame*> frames_;
-  std::vector<PlanarScan> scans_;
+  std::vector<PlanarScan> scans_, spareScans_;  // spare: buffers of cycles with more new images
 };
 
 }  // namespace bslnav

@@ -77,7 +77,6 @@ class NavigationCycle {
   double plannedAt_s_ = 0.0;
   SensorWatch sensors_;
   MotionHistory motion_;
-  std::string depthProblem_;                    // of the newest image that said nothing usable
   std::vector<PlanarScan> scans_, spareScans_;  // spare: buffers of a cycle that had more scans
   CycleRecord record_;
 };
