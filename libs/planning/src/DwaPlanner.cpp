@@ -1,143 +1,34 @@
 #include <bslnav/planning/DwaPlanner.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <tuple>
+#include <bslnav/planning/DynamicWindow.h>
 
 namespace bslnav {
-
-namespace {
-
-// Costs this near to each other are equal: a tenth of a millimetre of the way, far above rounding.
-constexpr double kTie = 1e-4;
-
-}  // namespace
-
-void CostWeights::describe(ConfigSection& section) {
-  section.number("weight_path", path, kNonNegative, "1/m",
-                 "W_pos: weight of the distance to the global path");
-  section.number("weight_goal", goal, kNonNegative, "1/m",
-                 "W_gol: weight of the distance to the local goal");
-  section.number("weight_danger", danger, kNonNegative, "",
-                 "W_dan: weight of the highest cost along the rollout");
-  section.number("weight_velocity", velocity, kNonNegative, "m/s",
-                 "W_vel: weight of 1/v; the paper's is 0.5");
-  section.number("danger_divisor", dangerDivisor, {1.0, 255.0}, "",
-                 "c_dan is the highest cost divided by this");
-  section.number("speed_floor_mps", speedFloor_mps, {0.001, 10.0}, "m/s",
-                 "c_vel = 1/max(v, floor)");
-}
-
-void DwaParameters::describe(ConfigSection& section) {
-  section.number("horizon_s", horizon_s, {0.1, 30.0}, "s",
-                 "T_pre: how far ahead a candidate is driven");
-  section.number("step_s", step_s, {0.01, 1.0}, "s",
-                 "longest time step of a rollout; never passes over a cell");
-  section.number("window_s", window_s, {0.01, 10.0}, "s",
-                 "velocities that can be reached within this time are candidates");
-  section.integer("speed_samples", speedSamples, {2, 500}, "", "speeds in the dynamic window");
-  section.integer("yaw_rate_samples", yawRateSamples, {1, 500}, "",
-                  "turning rates in the dynamic window");
-  section.flag("allow_unknown", allowUnknown,
-               "whether a rollout may cross unknown cells and leave the map");
-  weights.describe(section);
-  oscillation.describe(section);
-}
 
 DwaPlanner::DwaPlanner(const DwaParameters& parameters, const RobotLimits& limits,
                        const FootprintCover& footprint, double controlPeriod_s)
     : parameters_(parameters),
       limits_(limits),
-      footprint_(footprint),
       controlPeriod_s_(controlPeriod_s),
-      oscillation_(parameters.oscillation) {
+      evaluator_(parameters, limits, footprint) {
   const int count = parameters.speedSamples * parameters.yawRateSamples;
   result_.candidates.resize(static_cast<std::size_t>(count));
 }
 
 const DwaResult& DwaPlanner::plan(const DwaInput& input, const CostGrid& costs) {
-  const mrpt::math::TPoint2D robot{input.mapFromRobot.x, input.mapFromRobot.y};
-  const double reach = limits_.maxSpeed_mps * parameters_.horizon_s;
-  pathDistance_.setPath(input.path, robot, 0.5 * reach, 1.5 * reach, 2.0 * costs.getResolution());
-  result_.setup = {input.mapFromRobot,       parameters_.horizon_s, parameters_.step_s,
-                   parameters_.allowUnknown, footprint_.reach_m(),  input.goal,
-                   input.goalTolerance_m};
-  // Rollouts need not overshoot the goal, and the robot does not creep towards it.
-  const Cost goalCost = costs.costAt(input.goal.x, input.goal.y);
-  goalCost_ = goalCost <= kHighestGradedCost ? goalCost : kFreeCost;
-  double cap = limits_.maxSpeed_mps;
-  if (input.goalTolerance_m > 0.0 && input.stopsAtGoal)
-    cap = stoppingSpeed((input.goal - robot).norm(), limits_.deceleration_mps2, controlPeriod_s_);
-  const DynamicWindow window = dynamicWindow(input.twist, limits_, parameters_.window_s, cap);
-
+  evaluator_.begin(input, costs);
+  const DynamicWindow window = dynamicWindow(input.twist, limits_, parameters_.window_s,
+                                             speedCap(input, limits_, controlPeriod_s_));
   auto candidate = result_.candidates.begin();
   for (int i = parameters_.speedSamples - 1; i >= 0; --i)
     for (int k = 0; k < parameters_.yawRateSamples; ++k, ++candidate) {
       candidate->v_mps = sampleOf(window.vMin, window.vMax, i, parameters_.speedSamples);
       candidate->w_radps = sampleOf(window.wMin, window.wMax, k, parameters_.yawRateSamples);
-      evaluate(*candidate, costs);
+      evaluator_.evaluate(*candidate);
     }
-  choose(input);
+  evaluator_.choose(result_);
+  result_.command = result_.best < 0
+                        ? brake(input.twist, limits_, controlPeriod_s_)
+                        : limited(result_.chosenVelocity(), input.twist, limits_, controlPeriod_s_);
   return result_;
-}
-
-void DwaPlanner::evaluate(Candidate& candidate, const CostGrid& costs) const {
-  using Verdict = Candidate::Verdict;
-  candidate.terms = {};
-  candidate.total = 0.0;
-  candidate.steps = 0;
-  if (!oscillation_.allows(candidate.v_mps, candidate.w_radps)) {
-    candidate.verdict = Verdict::Oscillation;
-    return;
-  }
-  const RolloutOutcome rollout =
-      rollOut(candidate.v_mps, candidate.w_radps, result_.setup, costs, footprint_);
-  candidate.steps = rollout.steps;
-  if (rollout.blocked()) {
-    candidate.verdict =
-        rollout.end == RolloutOutcome::End::Unknown ? Verdict::Unknown : Verdict::Obstacle;
-    return;
-  }
-  candidate.verdict = Verdict::Admissible;
-  const Cost unavoidable = rollout.end == RolloutOutcome::End::Goal ? goalCost_ : kFreeCost;
-  candidate.terms = {pathDistance_(rollout.endPoint),
-                     goalTerm(rollout, candidate.v_mps, result_.setup),
-                     dangerTerm(rollout.highestCost, unavoidable, parameters_.weights),
-                     velocityTerm(candidate.v_mps, parameters_.weights)};
-  candidate.total = weighted(candidate.terms, parameters_.weights);
-}
-
-void DwaPlanner::choose(const DwaInput& input) {
-  const auto admissible = [](const Candidate& c) {
-    return c.verdict == Candidate::Verdict::Admissible;
-  };
-  double cheapest = std::numeric_limits<double>::max();
-  for (const Candidate& candidate : result_.candidates)
-    if (admissible(candidate)) cheapest = std::min(cheapest, candidate.total);
-  // Ties go to the faster, then to the straighter candidate, so that equal costs never leave the
-  // robot standing.
-  const auto rank = [](const Candidate& c) {
-    return std::make_tuple(-c.v_mps, std::abs(c.w_radps), c.total);
-  };
-  result_.best = -1;
-  for (std::size_t i = 0; i < result_.candidates.size(); ++i) {
-    const Candidate& candidate = result_.candidates[i];
-    if (!admissible(candidate) || candidate.total > cheapest + kTie) continue;
-    if (result_.best < 0 ||
-        rank(candidate) < rank(result_.candidates[static_cast<std::size_t>(result_.best)]))
-      result_.best = static_cast<int>(i);
-  }
-  if (result_.best < 0) {
-    result_.status = DwaResult::Status::NoAdmissible;
-    result_.command = brake(input.twist, limits_, controlPeriod_s_);
-    return;
-  }
-  const Candidate& best = result_.candidates[static_cast<std::size_t>(result_.best)];
-  result_.status = DwaResult::Status::Ok;
-  result_.command =
-      limited({best.v_mps, 0.0, best.w_radps}, input.twist, limits_, controlPeriod_s_);
-  oscillation_.commanded(best.v_mps, best.w_radps, input.mapFromRobot);
 }
 
 }  // namespace bslnav
