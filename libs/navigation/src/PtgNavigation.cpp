@@ -1,41 +1,23 @@
 #include <bslnav/config/Error.h>
 #include <bslnav/navigation/PtgNavigation.h>
-#include <mrpt/kinematics/CVehicleVelCmd_DiffDriven.h>
-#include <mrpt/kinematics/CVehicleVelCmd_Holo.h>
 #include <mrpt/nav/reactive/TCandidateMovementPTG.h>
 #include <mrpt/rtti/CObject.h>
-
-#include <cmath>
 
 #include "PtgPaths.h"
 
 namespace bslnav {
-namespace {
-
-/** Writes a velocity into a command of MRPT's, of the kind that it is. */
-void write(const mrpt::math::TTwist2D& twist, mrpt::kinematics::CVehicleVelCmd& command) {
-  if (auto* drive = dynamic_cast<mrpt::kinematics::CVehicleVelCmd_DiffDriven*>(&command)) {
-    drive->lin_vel = twist.vx;
-    drive->ang_vel = twist.omega;
-  } else if (auto* holonomic = dynamic_cast<mrpt::kinematics::CVehicleVelCmd_Holo*>(&command)) {
-    holonomic->vel = std::hypot(twist.vx, twist.vy);
-    holonomic->dir_local = std::atan2(twist.vy, twist.vx);
-    holonomic->rot_speed = twist.omega;
-  }
+PtgNavigation::PtgNavigation(mrpt::nav::CRobot2NavInterface& robot, bool consoleOutput,
+                             bool logFile, const std::string& logDirectory)
+    : CReactiveNavigationSystem(robot, consoleOutput, logFile, logDirectory) {
+  mrpt::rtti::registerClass(CLASS_ID(CHolonomicDwa));
 }
 
-}  // namespace
-
-PtgNavigation::PtgNavigation(mrpt::nav::CRobot2NavInterface& robot, const DwaParameters& dwa,
-                             const RobotLimits& limits, double controlPeriod_s,
-                             std::shared_ptr<CandidateEvaluator> evaluator)
-    : CReactiveNavigationSystem(robot, false),
-      dwa_(dwa),
-      limits_(limits),
-      controlPeriod_s_(controlPeriod_s),
-      evaluator_(std::move(evaluator)) {
-  mrpt::rtti::registerClass(CLASS_ID(CHolonomicDwa));
-  setMinLoggingLevel(mrpt::system::LVL_WARN);
+void PtgNavigation::use(const DwaParameters& dwa, const RobotLimits& limits, double controlPeriod_s,
+                        std::shared_ptr<CandidateEvaluator> evaluator) {
+  dwa_ = dwa;
+  limits_ = limits;
+  controlPeriod_s_ = controlPeriod_s;
+  evaluator_ = std::move(evaluator);
 }
 
 void PtgNavigation::loadConfigFile(const mrpt::config::CConfigFileBase& file) {
@@ -43,9 +25,15 @@ void PtgNavigation::loadConfigFile(const mrpt::config::CConfigFileBase& file) {
   methods_.clear();
   for (const auto& method : m_holonomicMethod) {
     auto* ours = dynamic_cast<CHolonomicDwa*>(method.get());
-    if (ours) ours->use(dwa_, limits_, controlPeriod_s_, evaluator_);
+    if (ours && evaluator_) ours->use(dwa_, limits_, controlPeriod_s_, evaluator_);
     methods_.push_back(ours);
   }
+}
+
+void PtgNavigation::silence() {
+  logging_enable_console_output = false;
+  for (auto* log : {&m_timlog_delays, &m_timelogger, &m_navProfiler})
+    log->setMinLoggingLevel(mrpt::system::LVL_ERROR);
 }
 
 void PtgNavigation::setSituation(const DwaSituation* situation) {
@@ -56,13 +44,14 @@ void PtgNavigation::setSituation(const DwaSituation* situation) {
 
 void PtgNavigation::onStartNewNavigation() {
   problem_.clear();
-  evaluator_->reset();
+  if (evaluator_) evaluator_->reset();
   CReactiveNavigationSystem::onStartNewNavigation();
 }
 
 /** MRPT logs a step that throws and tries again for ever. */
 void PtgNavigation::performNavigationStep() {
   chosen_ = nullptr;
+  result_.command = {};
   try {
     CReactiveNavigationSystem::performNavigationStep();
   } catch (const std::exception& problem) {
@@ -77,7 +66,8 @@ double PtgNavigation::generate_vel_cmd(const mrpt::nav::TCandidateMovementPTG& m
   chosen_ = movement.PTG;
   if (!command) return scale;
   const auto& from = situation_ ? situation_->input.twist : m_curPoseVel.velLocal;
-  write(limited(commandOf(*command), from, limits_, controlPeriod_s_), *command);
+  result_.command = limited(commandOf(*command), from, limits_, controlPeriod_s_);
+  setVelocity(result_.command, *command);
   return scale;
 }
 

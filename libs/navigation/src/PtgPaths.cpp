@@ -22,6 +22,17 @@ mrpt::math::TTwist2D commandOf(const mrpt::kinematics::CVehicleVelCmd& command) 
               Error::Kind::Run);
 }
 
+void setVelocity(const mrpt::math::TTwist2D& twist, mrpt::kinematics::CVehicleVelCmd& command) {
+  if (auto* drive = dynamic_cast<mrpt::kinematics::CVehicleVelCmd_DiffDriven*>(&command)) {
+    drive->lin_vel = twist.vx;
+    drive->ang_vel = twist.omega;
+  } else if (auto* holonomic = dynamic_cast<mrpt::kinematics::CVehicleVelCmd_Holo*>(&command)) {
+    holonomic->vel = std::hypot(twist.vx, twist.vy);
+    holonomic->dir_local = std::atan2(twist.vy, twist.vx);
+    holonomic->rot_speed = twist.omega;
+  }
+}
+
 void samplePath(const mrpt::nav::CParameterizedTrajectoryGenerator& ptg, std::uint16_t k,
                 double reach_m, double spacing_m, SampledPath& path) {
   path.clear();

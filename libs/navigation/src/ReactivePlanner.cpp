@@ -21,15 +21,24 @@ std::string findFile(const std::string& file) {
   const std::string shipped = dataDirectory() + "/" + file;
   if (std::filesystem::exists(file)) return file;
   if (!std::filesystem::exists(shipped))
-    throw Error("configuration [navigator] mrpt_config",
+    throw Error("configuration [navigator]",
                 "no such file: " + file + "; expected an INI file of MRPT's reactive navigation");
   return shipped;
+}
+
+/** The message of an exception of MRPT's without its place and call stack. */
+std::string messageOf(const std::exception& problem) {
+  const std::string text = problem.what(), mark = "Message:";
+  const auto start = text.find(mark);
+  if (start == std::string::npos) return text;
+  const auto first = text.find_first_not_of(' ', start + mark.size());
+  return text.substr(first, text.find('\n', first) - first);
 }
 
 /** MRPT's configuration with this robot's speeds and shape. */
 mrpt::config::CConfigFileMemory configOf(const NavigatorParameters& parameters,
                                          const RobotLimits& limits, const Footprint& footprint) {
-  const std::string file = findFile(parameters.mrptConfig);
+  const std::string file = findFile(parameters.config());
   mrpt::config::CConfigFileMemory memory;
   const mrpt::config::CConfigFile ini(file);
   std::vector<std::string> sections, keys;
@@ -124,17 +133,17 @@ ReactivePlanner::ReactivePlanner(const NavigatorParameters& parameters, const Dw
                                  const Footprint& footprint, double controlPeriod_s)
     : limits_(limits), controlPeriod_s_(controlPeriod_s), robot_(std::make_unique<Robot>()) {
   mrpt::nav::registerAllClasses_mrpt_nav();
-  navigation_ =
-      std::make_unique<PtgNavigation>(*robot_, dwa, limits, controlPeriod_s,
-                                      std::make_shared<CandidateEvaluator>(dwa, limits, cover));
-  navigation_->params_abstract_ptg_navigator.ptg_cache_files_directory =
-      std::filesystem::temp_directory_path().string();
+  navigation_ = std::make_unique<PtgNavigation>(*robot_, false);
+  navigation_->use(dwa, limits, controlPeriod_s,
+                   std::make_shared<CandidateEvaluator>(dwa, limits, cover));
+  navigation_->silence();
+  // No cache of collision grids: runs in parallel would read what others are just writing.
+  navigation_->params_abstract_ptg_navigator.ptg_cache_files_directory = "/dev/null";
   try {
     navigation_->loadConfigFile(configOf(parameters, limits, footprint));
     navigation_->initialize();
   } catch (const std::exception& problem) {
-    throw Error(parameters.mrptConfig,
-                std::string("MRPT's navigation does not take it: ") + problem.what());
+    throw Error(parameters.config(), "MRPT's navigation does not take it: " + messageOf(problem));
   }
 }
 
