@@ -36,5 +36,7 @@ void makeDirectory(const std::string& directory);
 std::function<int()> addSeedsCommand(CLI::App& app);
 /** Adds the subcommand `paper`. @returns what runs it */
 std::function<int()> addPaperCommand(CLI::App& app);
+/** Adds the subcommand `navigators`. @returns what runs it */
+std::function<int()> addNavigatorsCommand(CLI::App& app);
 
 }  // namespace bslnav

@@ -9,10 +9,14 @@ int main(int argc, char** argv) {
       "Examples:\n"
       "  bslnav-experiment paper --out out/paper\n"
       "  bslnav-experiment seeds config/scenarios/s1.ini --methods 1 2 --runs 17 --out "
-      "out/s1-seeds");
+      "out/s1-seeds\n"
+      "  bslnav-experiment navigators --out out/navigators");
   app.set_version_flag("--version", bslnav::version());
   app.require_subcommand(1);
   const auto paper = bslnav::addPaperCommand(app), seeds = bslnav::addSeedsCommand(app);
-  return bslnav::runApp(app, argc, argv,
-                        [&] { return app.got_subcommand("paper") ? paper() : seeds(); });
+  const auto navigators = bslnav::addNavigatorsCommand(app);
+  return bslnav::runApp(app, argc, argv, [&] {
+    if (app.got_subcommand("paper")) return paper();
+    return app.got_subcommand("seeds") ? seeds() : navigators();
+  });
 }

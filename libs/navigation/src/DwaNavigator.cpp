@@ -19,16 +19,24 @@ void DwaNavigator::loadConfigFile(const mrpt::config::CConfigFileBase& file) {
 void DwaNavigator::onStartNewNavigation() {
   if (!cycle_) throw Error("DwaNavigator", "loadConfigFile() was not called");
   targets_.clear();
+  m_last_curPoseVelUpdate_robot_time = -1e9;  // else MRPT may start without a pose
   CWaypointsNavigator::onStartNewNavigation();
 }
 
-/** MRPT logs a step that throws and tries again for ever. */
+/** MRPT logs a step that failed and tries again for ever. */
+void DwaNavigator::navigationStep() {
+  const std::lock_guard<std::recursive_mutex> lock(m_nav_cs);
+  failed_ = false;
+  CWaypointsNavigator::navigationStep();
+  if (failed_) m_navigationState = NAV_ERROR;
+}
+
 void DwaNavigator::performNavigationStep() {
   try {
     step();
   } catch (const std::exception& problem) {
     doEmergencyStop(problem.what());
-    m_navigationState = NAV_ERROR;
+    failed_ = true;
   }
 }
 

@@ -15,6 +15,8 @@ void NavigatorParameters::describe(ConfigSection& section) {
   section.text("mrpt_config", mrptConfig, "the same for mrpt; the default is MRPT's own example");
   section.text("mrpt_method", mrptMethod,
                "holonomic method of mrpt: CHolonomicFullEval, CHolonomicND or CHolonomicVFF");
+  section.text("navlog", navlog,
+               "directory for a log of ptg and mrpt that MRPT's navlog-viewer shows; empty: none");
 }
 
 }  // namespace bslnav

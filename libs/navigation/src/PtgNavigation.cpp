@@ -48,7 +48,14 @@ void PtgNavigation::onStartNewNavigation() {
   CReactiveNavigationSystem::onStartNewNavigation();
 }
 
-/** MRPT logs a step that throws and tries again for ever. */
+/** MRPT logs a step that failed and tries again for ever. */
+void PtgNavigation::navigationStep() {
+  const std::lock_guard<std::recursive_mutex> lock(m_nav_cs);
+  failed_ = false;
+  CReactiveNavigationSystem::navigationStep();
+  if (failed_) m_navigationState = NAV_ERROR;
+}
+
 void PtgNavigation::performNavigationStep() {
   chosen_ = nullptr;
   result_.command = {};
@@ -73,8 +80,8 @@ double PtgNavigation::generate_vel_cmd(const mrpt::nav::TCandidateMovementPTG& m
 
 void PtgNavigation::doEmergencyStop(const std::string& message) {
   problem_ = message;
+  failed_ = true;
   CReactiveNavigationSystem::doEmergencyStop(message);
-  m_navigationState = NAV_ERROR;
 }
 
 void PtgNavigation::collectResult() {

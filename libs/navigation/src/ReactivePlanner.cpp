@@ -35,6 +35,24 @@ std::string messageOf(const std::exception& problem) {
   return text.substr(first, text.find('\n', first) - first);
 }
 
+/** The footprint's outline as MRPT wants it: all x, then all y. A circle is a polygon around it. */
+std::pair<std::string, std::string> outlineOf(const Footprint& footprint) {
+  constexpr int kCorners = 16;
+  auto corners = footprint.polygon;
+  if (corners.empty())
+    for (int i = 0; i < kCorners; ++i) {
+      const double angle = 2.0 * M_PI * i / kCorners;
+      const double radius = footprint.radius_m / std::cos(M_PI / kCorners);
+      corners.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+    }
+  std::pair<std::string, std::string> outline;
+  for (const auto& corner : corners) {
+    outline.first += std::to_string(corner.x) + " ";
+    outline.second += std::to_string(corner.y) + " ";
+  }
+  return outline;
+}
+
 /** MRPT's configuration with this robot's speeds and shape. */
 mrpt::config::CConfigFileMemory configOf(const NavigatorParameters& parameters,
                                          const RobotLimits& limits, const Footprint& footprint) {
@@ -55,6 +73,9 @@ mrpt::config::CConfigFileMemory configOf(const NavigatorParameters& parameters,
   memory.write("CAbstractPTGBasedReactive", "robotMax_W_degps", limits.maxYawRate_radps * degrees);
   const std::string navigation = "CReactiveNavigationSystem";
   memory.write(navigation, "RobotModel_circular_shape_radius", footprint.inscribedRadius_m());
+  const auto [xs, ys] = outlineOf(footprint);
+  memory.write(navigation, "RobotModel_shape2D_xs", xs);
+  memory.write(navigation, "RobotModel_shape2D_ys", ys);
   const int ptgs = ini.read_int(navigation, "PTG_COUNT", 0, true);
   for (int i = 0; i < ptgs; ++i) {
     const std::string prefix = "PTG" + std::to_string(i) + "_";
@@ -142,6 +163,8 @@ ReactivePlanner::ReactivePlanner(const NavigatorParameters& parameters, const Dw
   try {
     navigation_->loadConfigFile(configOf(parameters, limits, footprint));
     navigation_->initialize();
+    navigation_->setLogFileDirectory(parameters.navlog);
+    navigation_->enableLogFile(!parameters.navlog.empty());
   } catch (const std::exception& problem) {
     throw Error(parameters.config(), "MRPT's navigation does not take it: " + messageOf(problem));
   }

@@ -23,6 +23,7 @@ class DwaNavigator : public mrpt::nav::CWaypointsNavigator {
   /** @throws Error */
   void loadConfigFile(const mrpt::config::CConfigFileBase& file) override;
   void initialize() override {}
+  void navigationStep() override;
 
   /** What the last step saw and decided. */
   CycleRecord lastRecord() const;
@@ -40,6 +41,7 @@ class DwaNavigator : public mrpt::nav::CWaypointsNavigator {
   RobotSenses senses_;
   std::unique_ptr<NavigationCycle> cycle_;
   std::vector<mrpt::math::TPose2D> targets_;
+  bool failed_ = false;  // in this step
   mutable std::mutex recordMutex_;
   CycleRecord lastRecord_;
 };

@@ -14,6 +14,7 @@ struct NavigatorParameters {
   std::string ptgConfig = "config/mrpt/reactive.ini";
   std::string mrptConfig = "/usr/share/mrpt/config_files/navigation-ptgs/reactive2d_config.ini";
   std::string mrptMethod = "CHolonomicFullEval";
+  std::string navlog;  ///< directory for MRPT's .reactivenavlog; empty for none
 
   /** MRPT's INI file for this type. */
   const std::string& config() const { return type == NavigatorType::Ptg ? ptgConfig : mrptConfig; }

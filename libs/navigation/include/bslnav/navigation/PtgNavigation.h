@@ -24,6 +24,7 @@ class PtgNavigation : public mrpt::nav::CReactiveNavigationSystem {
   void use(const DwaParameters& dwa, const RobotLimits& limits, double controlPeriod_s,
            std::shared_ptr<CandidateEvaluator> evaluator);
   void loadConfigFile(const mrpt::config::CConfigFileBase& file) override;
+  void navigationStep() override;
 
   /** Says nothing any more but by problem(): MRPT warns of every uneven period. */
   void silence();
@@ -54,6 +55,7 @@ class PtgNavigation : public mrpt::nav::CReactiveNavigationSystem {
   std::vector<CHolonomicDwa*> methods_;  // by PTG; owned by MRPT
   const DwaSituation* situation_ = nullptr;
   const mrpt::nav::CParameterizedTrajectoryGenerator* chosen_ = nullptr;
+  bool failed_ = false;  // in this step
   std::string problem_;
   DwaResult result_;
 };

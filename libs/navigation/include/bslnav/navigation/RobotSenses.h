@@ -1,6 +1,7 @@
 #pragma once
 
 #include <bslnav/navigation/SensorFrame.h>
+#include <mrpt/maps/CSimplePointsMap.h>
 #include <mrpt/nav/reactive/CRobot2NavInterface.h>
 
 namespace bslnav {

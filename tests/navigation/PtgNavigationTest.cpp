@@ -1,0 +1,111 @@
+#include <bslnav/navigation/BlindSpotReactiveNavigator.h>
+#include <bslnav/navigation/ReactivePlanner.h>
+#include <gmock/gmock.h>
+
+#include "PtgRig.h"
+
+namespace bslnav {
+namespace {
+
+class BlindSpotReactiveNavigatorTest : public testing::Test {
+ protected:
+  void load() {
+    navigator.setMinLoggingLevel(mrpt::system::LVL_ERROR);
+    navigator.silence();
+    ini.write("bslnav", "method", 2);
+    navigator.loadConfigFile(ini);
+    navigator.initialize();
+  }
+
+  test::PtgRobot robot;
+  mrpt::config::CConfigFileMemory ini = test::reactiveIni();
+  BlindSpotReactiveNavigator navigator{robot, false};
+};
+
+TEST_F(BlindSpotReactiveNavigatorTest, DrivesRoundAWallToTheTarget) {
+  load();
+  robot.addWall(1.5, -3.0, 1.5, 0.3);
+  test::navigateTo(navigator, 3.0, 0.0);
+  test::drive(navigator, robot, 60.0);
+  const auto pose = robot.vehicle.getCurrentGTPose();
+  EXPECT_LT(std::hypot(pose.x - 3.0, pose.y), 0.25) << navigator.problem();
+  EXPECT_EQ(robot.events, "start end ");
+}
+
+TEST_F(BlindSpotReactiveNavigatorTest, FindsTheBlindSpotAtAWallsEnd) {
+  load();
+  robot.addWall(1.5, -3.0, 1.5, -0.5);
+  robot.addWall(6.0, -4.0, 6.0, 4.0);
+  test::navigateTo(navigator, 4.0, 0.5);
+  test::drive(navigator, robot, 0.3);
+  const CycleRecord record = navigator.lastRecord();
+  ASSERT_FALSE(record.blindSpots.empty());
+  double nearest_m = 1e9;
+  for (const DangerZone& zone : record.dangerZones)
+    nearest_m = std::min(nearest_m, std::hypot(zone.centre.x - 1.5, zone.centre.y + 0.5));
+  EXPECT_LT(nearest_m, 0.6);  // H_w tan(theta) beside the wall's end
+}
+
+TEST_F(BlindSpotReactiveNavigatorTest, KeepsTheAccelerationLimits) {
+  load();
+  test::navigateTo(navigator, 2.0, 0.0);
+  test::drive(navigator, robot, 20.0);
+  ASSERT_GT(robot.commands.size(), 20U);
+  for (std::size_t i = 1; i < robot.commands.size(); ++i)
+    EXPECT_LE(std::abs(robot.commands[i] - robot.commands[i - 1]), 0.5 * 0.1 + 0.051) << i;
+}
+
+TEST_F(BlindSpotReactiveNavigatorTest, AFailingStepEndsTheNavigationAndSaysWhy) {
+  load();
+  test::navigateTo(navigator, 5.0, 0.0);
+  test::drive(navigator, robot, 1.0);
+  robot.throwsNow = true;
+  test::drive(navigator, robot, 1.0);
+  EXPECT_EQ(navigator.getCurrentState(), BlindSpotReactiveNavigator::NAV_ERROR);
+  EXPECT_THAT(navigator.problem(), testing::HasSubstr("the laser is on fire"));
+  EXPECT_THAT(robot.events, testing::HasSubstr("error"));
+}
+
+TEST_F(BlindSpotReactiveNavigatorTest, RefusesItsSectionsMistakes) {
+  ini.write("bslnav", "methd", 2);
+  EXPECT_THROW(navigator.loadConfigFile(ini), std::exception);
+}
+
+TEST(ScanOfPoints, HasTheNearestPointOfEachDirection) {
+  mrpt::maps::CSimplePointsMap points;
+  points.insertPoint(2.0f, 0.0f, 0.0f);
+  points.insertPoint(3.0f, 0.0f, 0.0f);
+  points.insertPoint(0.0f, 1.0f, 0.0f);
+  const auto scan = scanOf(points, 360, 10.0);
+  const double step = scan->aperture / 359.0,
+               first = -0.5 * scan->aperture + scan->sensorPose.yaw();
+  int valid = 0;
+  for (std::size_t i = 0; i < scan->getScanSize(); ++i) {
+    if (!scan->getScanRangeValidity(i)) continue;
+    ++valid;
+    const double bearing = first + step * static_cast<double>(i);
+    const bool ahead = std::abs(bearing) < 1e-6;
+    EXPECT_TRUE(ahead || std::abs(bearing - M_PI / 2) < 1e-6) << bearing;
+    EXPECT_FLOAT_EQ(scan->getScanRange(i), ahead ? 2.0f : 1.0f);
+  }
+  EXPECT_EQ(valid, 2);
+}
+
+TEST(ReactivePlanner, SaysWhatIsWrongWithMrptsConfiguration) {
+  NavigatorParameters parameters;
+  parameters.type = NavigatorType::Mrpt;
+  const FootprintCover cover({}, 0.05, InflationLayer({0.1, 1.0}, 0.05, 0.05));
+  parameters.mrptConfig = "/no/such.ini";
+  EXPECT_THROW(ReactivePlanner(parameters, {}, {}, cover, {}, 0.1), std::exception);
+  parameters.mrptConfig = dataDirectory() + "/config/scenarios/s1.ini";
+  try {
+    ReactivePlanner(parameters, {}, {}, cover, {}, 0.1);
+    FAIL();
+  } catch (const std::exception& problem) {
+    EXPECT_THAT(problem.what(), testing::HasSubstr("PTG_COUNT"));
+    EXPECT_THAT(problem.what(), testing::Not(testing::HasSubstr("backtrace")));
+  }
+}
+
+}  // namespace
+}  // namespace bslnav
