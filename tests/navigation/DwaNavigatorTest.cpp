@@ -13,7 +13,7 @@ class DwaNavigatorTest : public testing::Test {
  protected:
   DwaNavigatorTest() {
     navigator.setMinLoggingLevel(mrpt::system::LVL_ERROR);
-    ini.write("bslnav", "method", 2);
+    ini.write("bslnav", "method", 1);
     ini.write("motion", "goal_tolerance_m", 0.1);
     navigator.loadConfigFile(ini);
     navigator.initialize();
@@ -30,7 +30,8 @@ TEST_F(DwaNavigatorTest, DrivesRoundAWallToTheTargetAndSaysSo) {
   test::drive(navigator, robot_, 60.0);
   const auto pose = robot_.vehicle.getCurrentGTPose();
   EXPECT_LT(std::hypot(pose.x - 3.0, pose.y), 0.25)
-      << nameOf(navigator.lastRecord().motion.mode) << " " << navigator.lastRecord().blindSpots.size();
+      << nameOf(navigator.lastRecord().motion.mode) << " "
+      << navigator.lastRecord().blindSpots.size();
   EXPECT_EQ(navigator.getCurrentState(), DwaNavigator::IDLE);
   EXPECT_EQ(robot_.events, "start end ");
   EXPECT_FALSE(navigator.lastRecord().dwa.candidates.empty());

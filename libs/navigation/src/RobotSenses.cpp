@@ -38,7 +38,8 @@ CObservation2DRangeScan::Ptr scanOf(const mrpt::maps::CSimplePointsMap& points, 
 SensorFrame RobotSenses::frame(const mrpt::math::TPose2D& pose, const mrpt::math::TTwist2D& twist,
                                const mrpt::math::TPose2D& odometry, mrpt::system::TTimeStamp stamp,
                                const mrpt::maps::CSimplePointsMap& obstacles) {
-  constexpr int kBeams = 720;
+  constexpr int kBeams =
+      360;  // coarser than lasers: a beam without a point between points would be a gap
   constexpr double kMaxRange_m = 50.0;
   SensorFrame frame;
   frame.time_s = robot_.getNavigationTime();
