@@ -31,8 +31,7 @@ void saveScene(const bslnav::RunScene& scene, const bslnav::RecordingParameters&
     pictures.push_back(recorder.path("scene.png"));
     rendered.picture->save(pictures.back());
   } else {
-    std::cerr << "bslnav: no scene.png: " << rendered.problem << '
-';
+    std::cerr << "bslnav: no scene.png: " << rendered.problem << '\n';
   }
 }
 
