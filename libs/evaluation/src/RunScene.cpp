@@ -20,7 +20,7 @@ using mrpt::math::TPoint2D;
 using mrpt::math::TPoint3Df;
 
 // Heights above the floor that keep flat things apart.
-constexpr double kGrid_m = 0.01, kZone_m = 0.02, kLine_m = 0.03;
+constexpr double kGrid_m = 0.03, kZone_m = 0.06, kLine_m = 0.1;
 
 void add(mrpt::opengl::COpenGLScene& scene, const scene::Object& object, const std::string& name) {
   object->setName(name);
@@ -80,9 +80,16 @@ mrpt::math::TPose2D RunScene::poseAt(mrpt::Clock::time_point stamp) const {
 
 mrpt::opengl::COpenGLScene::Ptr RunScene::make() const {
   auto scene = mrpt::opengl::COpenGLScene::Create();
-  scene->getViewport()->setCustomBackgroundColor({1.0f, 1.0f, 1.0f});
-  scene->getViewport()->getCamera() = cameraFor(
+  auto& view = *scene->getViewport();
+  view.setCustomBackgroundColor({1.0f, 1.0f, 1.0f});
+  view.getCamera() = cameraFor(
       bounds_, double(setup_.recording.pictureWidth_px) / setup_.recording.pictureHeight_px);
+  // Depths between MRPT's 0.1 m and 10 km are too coarse to tell a wall from the floor behind it.
+  const float distance_m = view.getCamera().getZoomDistance();
+  view.setViewportClipDistances(0.1f * distance_m, 4.0f * distance_m);
+  view.lightParameters().ambient = {0.45f, 0.45f, 0.45f};
+  view.lightParameters().diffuse = {0.55f, 0.55f, 0.55f};
+  view.lightParameters().direction = {-0.25f, 0.35f, -0.903f};  // the floor and the near sides
   addWorld(*scene);
   if (truth_.empty()) return scene;
   addRun(*scene);
@@ -91,13 +98,13 @@ mrpt::opengl::COpenGLScene::Ptr RunScene::make() const {
 }
 
 void RunScene::addWorld(mrpt::opengl::COpenGLScene& scene) const {
-  constexpr double kOpacity = 0.6;  // a wall must not hide what is behind it
+  constexpr double kOpacity = 0.4;  // a wall must not hide what is behind it
   auto floor = mrpt::opengl::CGridPlaneXY::Create(bounds_.min.x, bounds_.max.x, bounds_.min.y,
                                                   bounds_.max.y, static_cast<float>(kGrid_m), 1.0f);
   floor->setColor_u8(palette::kFrame.r, palette::kFrame.g, palette::kFrame.b);
   add(scene, floor, "floor");
   if (costs_.width() > 0)
-    add(scene, scene::costPlane(hasMap_ ? scene::merged(costs_, localCosts_) : costs_), "costs");
+    add(scene, scene::costMesh(hasMap_ ? scene::merged(costs_, localCosts_) : costs_), "costs");
   std::map<std::string, int> count;
   for (const WorldShape& shape : worldShapes(setup_.world))
     add(scene, scene::solid(shape, shape.mapped ? palette::kFaintInk : palette::kSky, kOpacity),
@@ -114,8 +121,8 @@ void RunScene::addWorld(mrpt::opengl::COpenGLScene& scene) const {
 void RunScene::addRun(mrpt::opengl::COpenGLScene& scene) const {
   std::vector<TPoint2D> driven;
   for (const auto& pose : truth_) driven.emplace_back(pose.x, pose.y);
-  add(scene, scene::line(path_, kLine_m, palette::kInk, 2.0f), "global path");
-  add(scene, scene::line(driven, 2.0 * kLine_m, palette::kBlue, 5.0f), "trajectory");
+  add(scene, scene::ribbon(path_, 0.04, kLine_m, palette::kFaintInk), "global path");
+  add(scene, scene::ribbon(driven, 0.08, 1.4 * kLine_m, palette::kBlue), "trajectory");
   add(scene, scene::body(truth_.back(), setup_.navigation.footprint, palette::kBlue), "robot");
   const auto& start = setup_.scenario.start;
   const auto& goal = setup_.scenario.goals.back();

@@ -23,11 +23,15 @@ Object body(const mrpt::math::TPose2D& pose, const Footprint& footprint, Colour 
 /** A ring on the floor; a disc with an inner radius of 0. */
 Object disc(const mrpt::math::TPoint2D& centre, double radius_m, double innerRadius_m, double z_m,
             Colour colour, double opacity = 1.0);
-Object line(const std::vector<mrpt::math::TPoint2D>& points, double z_m, Colour colour,
-            float width_px);
+/** A polyline as a flat ribbon: OpenGL draws lines one pixel wide. */
+Object ribbon(const std::vector<mrpt::math::TPoint2D>& points, double width_m, double z_m,
+              Colour colour);
 Object cloud(const std::vector<mrpt::math::TPoint3Df>& points, Colour colour, float size_px);
-/** Costs as a textured plane on the floor. */
-Object costPlane(const CostGrid& costs);
+/** Costs as coloured rectangles on the floor, one for each run of equal cells in a row.
+ *
+ * A textured plane would be simpler, but MRPT draws textures after all else, so that they do not
+ * show through what is translucent. */
+Object costMesh(const CostGrid& costs);
 
 /** The greater cost of two aligned grids, over the first one's extent; what one does not know says
  * the other. */

@@ -10,7 +10,7 @@ namespace bslnav {
 namespace {
 
 constexpr double kFieldOfView_deg = 30.0;  // of the picture's height
-constexpr double kAzimuth_deg = -100.0, kElevation_deg = 50.0;
+constexpr double kAzimuth_deg = -97.0, kElevation_deg = 55.0;
 
 Picture toPicture(const mrpt::img::CImage& image) {
   Picture picture;

@@ -14,7 +14,7 @@ namespace bslnav {
 /** Gathers a simulated run, and makes one instant of it a scene for MRPT's SceneViewer3D.
  *
  * Map frame, metres, the floor at z = 0. Objects by name: `floor` (grid), `costs` (the cost map as
- * a textured plane), the solids by their section (`wall:left`; further segments `wall:left#2`),
+ * a coloured mesh), the solids by their section (`wall:left`; further segments `wall:left#2`),
  * `person:NAME`, `robot`, `trajectory`, `global path`, `start`, `goal`, `scan:LABEL`,
  * `depth:LABEL`, `danger zone 1`, ... */
 class RunScene {

@@ -58,7 +58,7 @@ struct PictureParameters {
 struct RecordingParameters {
   bool rawlog = false, scene = false, scenePicture = false;
   double scene_s = 0.0;  ///< instant of the scene; 0: the end of the run
-  int pictureWidth_px = 1600, pictureHeight_px = 1000;
+  int pictureWidth_px = 1600, pictureHeight_px = 900;
 
   void describe(ConfigSection& section);
 };
