@@ -7,10 +7,9 @@ namespace bslnav::test {
 namespace {
 
 using testing::HasSubstr;
-using testing::IsEmpty;
 using testing::StartsWith;
 
-/** Two columns of cycles.csv, row by row. */
+/** The commands of cycles.csv, row by row. */
 std::string commandsOf(const std::string& file) {
   std::istringstream rows(readFile(file));
   std::string row, header, commands;
@@ -53,7 +52,7 @@ TEST_P(RecordedRun, GivesTheSameCommandsAgain) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, RecordedRun, testing::Values("2", "4"),
-                         [](const auto& info) { return std::string("Method") + info.param; });
+                         [](const auto& run) { return std::string("Method") + run.param; });
 
 TEST_F(Recording, IsOffUnlessAskedFor) {
   ASSERT_EQ(drive(write("room.ini", kRoom)).exitCode, 0);

@@ -1,5 +1,6 @@
 #include <bslnav/evaluation/RawlogRun.h>
 #include <bslnav/evaluation/RunRawlog.h>
+#include <bslnav/navigation/RawlogReader.h>
 #include <mrpt/core/Clock.h>
 #include <mrpt/obs/CObservationOdometry.h>
 #include <mrpt/obs/CObservationRobotPose.h>
@@ -25,7 +26,7 @@ std::string logFile() {
   return testing::TempDir() + "bslnav_run_" + std::to_string(getpid()) + "_" + name + ".rawlog";
 }
 
-/** Runs a setup and records it. @returns the frames' times and the commands of all cycles */
+/** Runs a setup and records it. */
 std::vector<CycleRecord> record(const SimulationSetup& setup, const std::string& file,
                                 std::size_t cycles = kWholeRun) {
   RunRawlog log(file);
@@ -94,9 +95,9 @@ INSTANTIATE_TEST_SUITE_P(
     Runs, RunRawlogRepeats,
     testing::Values(Run{"S1Method2", {"scenarios/s1.ini", "methods/method2.ini"}, {}, kWholeRun},
                     Run{"S1Method4", {"scenarios/s1.ini", "methods/method4.ini"}, {}, kWholeRun},
-                    // noise, delays, drift, a particle filter: the recorded poses are its
+                    // noise, delays, drift, and the poses of a particle filter
                     Run{"E1Method4", {"scenarios/e1.ini", "methods/method4.ini"}, {}, 60}),
-    [](const auto& info) { return info.param.name; });
+    [](const auto& run) { return run.param.name; });
 
 /* A control cycle of 0.1 s, the laser as fast: scan, odometry, pose, and so on. */
 TEST(RunRawlog, IsARawlogOfSingleObservationsForMrpt) {
@@ -124,7 +125,8 @@ TEST(RunRawlog, IsARawlogOfSingleObservationsForMrpt) {
     EXPECT_EQ((odometry->timestamp - mrpt::Clock::fromDouble(Simulator::kEpoch_s)).count(),
               static_cast<long>(cycle) * 1000000);  // 0.1 s in ticks of 100 ns
     EXPECT_EQ(pose->timestamp, odometry->timestamp);
-    EXPECT_NEAR(mrpt::Clock::toDouble(scan->timestamp) - Simulator::kEpoch_s, 0.1 * cycle, 2e-6);
+    EXPECT_NEAR(mrpt::Clock::toDouble(scan->timestamp) - Simulator::kEpoch_s,
+                0.1 * static_cast<double>(cycle), 2e-6);
   }
 }
 

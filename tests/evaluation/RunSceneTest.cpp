@@ -1,5 +1,6 @@
 #include <bslnav/evaluation/RunScene.h>
 #include <bslnav/evaluation/ScenePicture.h>
+#include <mrpt/maps/COccupancyGridMap2D.h>
 #include <mrpt/opengl/CPointCloud.h>
 #include <unistd.h>
 
@@ -46,13 +47,14 @@ COpenGLScene::Ptr savedScene(const SimulationSetup& setup, int cycles) {
   return loaded;
 }
 
-TBoundingBoxf boxOf(const COpenGLScene& scene, const std::string& name) {
+TBoundingBoxf boxOf(COpenGLScene& scene, const std::string& name) {
   const auto object = scene.getByName(name);
   if (!object) {
     ADD_FAILURE() << "no object " << name;
     return {};
   }
-  return object->getBoundingBox();
+  const auto box = object->getBoundingBox();
+  return {box.min.cast<float>(), box.max.cast<float>()};
 }
 
 void expectBox(const TBoundingBoxf& box, const TBoundingBoxf& expected, float tolerance = 1e-3f) {
