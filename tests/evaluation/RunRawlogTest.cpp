@@ -7,6 +7,9 @@
 #include <mrpt/obs/CRawlog.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cstdio>
+
 #include "EvaluationRig.h"
 
 namespace bslnav {
@@ -17,14 +20,24 @@ using test::hall;
 
 constexpr std::size_t kWholeRun = 100000;
 
-/** A file of this process and test. */
-std::string logFile() {
-  const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-  std::string name = info->name();
-  for (char& c : name)
-    if (c == '/') c = '_';
-  return testing::TempDir() + "bslnav_run_" + std::to_string(getpid()) + "_" + name + ".rawlog";
-}
+/** The name of a file of this process and test, which goes with it. */
+class LogFile {
+ public:
+  LogFile() {
+    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+    std::string name = info->name();
+    std::replace(name.begin(), name.end(), '/', '_');
+    path_ = testing::TempDir() + "bslnav_run_" + std::to_string(getpid()) + "_" + name + ".rawlog";
+  }
+  ~LogFile() { std::remove(path_.c_str()); }
+  LogFile(const LogFile&) = delete;
+  LogFile& operator=(const LogFile&) = delete;
+
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
 
 /** Runs a setup and records it. */
 std::vector<CycleRecord> record(const SimulationSetup& setup, const std::string& file,
@@ -74,7 +87,8 @@ TEST_P(RunRawlogRepeats, EveryCommandOfTheRun) {
   load(run);
   RawlogSetup again;
   load(again);
-  again.rawlog.file = logFile();
+  const LogFile file;
+  again.rawlog.file = file.path();
   const auto recorded = record(run, again.rawlog.file, GetParam().cycles);
   const auto repeated = repeat(again);
   ASSERT_EQ(repeated.size(), recorded.size());
@@ -103,10 +117,10 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(RunRawlog, IsARawlogOfSingleObservationsForMrpt) {
   SimulationSetup setup = hall();
   setup.lasers["front"].rate_hz = 10.0;
-  const std::string file = logFile();
-  const auto records = record(setup, file, 5);
+  const LogFile file;
+  const auto records = record(setup, file.path(), 5);
   mrpt::obs::CRawlog log;
-  ASSERT_TRUE(log.loadFromRawLogFile(file));
+  ASSERT_TRUE(log.loadFromRawLogFile(file.path()));
   ASSERT_EQ(log.size(), 15U);
   for (std::size_t i = 0; i < 15; ++i) ASSERT_EQ(log.getType(i), mrpt::obs::CRawlog::etObservation);
   for (std::size_t cycle = 0; cycle < 5; ++cycle) {
@@ -135,17 +149,17 @@ TEST(RunRawlog, HoldsDepthWithItsCalibration) {
   setup.navigation.depth.enabled = true;
   setup.cameras["front"].columns = 32;
   setup.cameras["front"].rows = 24;
-  const std::string file = logFile();
+  const LogFile file;
   mrpt::obs::CObservation3DRangeScan::ConstPtr taken;
   {
-    RunRawlog log(file);
+    RunRawlog log(file.path());
     runSimulation(setup, 1, [&](const SimulationMoment& moment) {
       log.write(moment.frame);
       taken = moment.frame.depth.at(0);
       return false;
     });
   }
-  RawlogReader reader(file, 2.0, RawlogFraming::RecordedPoses);
+  RawlogReader reader(file.path(), 2.0, RawlogFraming::RecordedPoses);
   SensorFrame frame;
   ASSERT_TRUE(reader.next(frame));
   ASSERT_EQ(frame.depth.size(), 1U);

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cmath>
+#include <cstdio>
 
 #include "EvaluationRig.h"
 
@@ -44,6 +45,7 @@ COpenGLScene::Ptr savedScene(const SimulationSetup& setup, int cycles) {
   saveScene(*scene.make(), file);
   auto loaded = COpenGLScene::Create();
   EXPECT_TRUE(loaded->loadFromFile(file));
+  std::remove(file.c_str());
   return loaded;
 }
 
@@ -97,7 +99,9 @@ TEST(RunScene, HoldsTheRunUpToItsLastCycle) {
 
 /* The hall's walls: x from -5 to 9, y from -2 to 2, and their inner faces half a thickness in. */
 TEST(RunScene, PutsMeasurementsOnWhatTheyMeasured) {
-  const auto scene = savedScene(furnishedHall(), 21);
+  SimulationSetup setup = furnishedHall();
+  setup.lasers["front"].maxRange_m = 20.0;
+  const auto scene = savedScene(setup, 21);
   const auto scan = boxOf(*scene, "scan:front"), depth = boxOf(*scene, "depth:rgbd");
   EXPECT_NEAR(scan.max.x, 8.95f, 0.02f);
   EXPECT_NEAR(scan.min.y, -1.95f, 0.02f);
