@@ -53,8 +53,10 @@ int main(int argc, char** argv) {
   CLI::App app("Evaluates a recorded log offline: what would the planner have seen and commanded?",
                "bslnav-rawlog");
   app.footer(
-      "Example:\n  bslnav-rawlog config/rawlog.ini --rawlog near-miss.rawlog --method 2 --out "
-      "out/near-miss");
+      "Examples:\n  bslnav-rawlog config/rawlog.ini --rawlog near-miss.rawlog --method 2 --out "
+      "out/near-miss\n"
+      "  bslnav-rawlog config/scenarios/s1.ini --rawlog out/s1/run.rawlog --method 2   # a run of "
+      "bslnav with [recording] rawlog, again");
   bslnav::CommonOptions options;
   std::string rawlog, map;
   options.addTo(app, "out");

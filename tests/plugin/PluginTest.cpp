@@ -19,7 +19,7 @@ class Robot : public mrpt::nav::CRobot2NavInterfaceForSimulator_DiffDriven {
   bool senseObstacles(mrpt::maps::CSimplePointsMap& points,
                       mrpt::system::TTimeStamp& stamp) override {
     points.clear();
-    for (double y = -1.0; y <= 0.2; y += 0.02) {
+    for (double y = -0.6; y <= 0.2; y += 0.02) {
       const auto p = vehicle_.getCurrentGTPose().inverseComposePoint({2.0, y});
       points.insertPoint(static_cast<float>(p.x), static_cast<float>(p.y), 0.0f);
     }

@@ -1,5 +1,4 @@
 #include <bslnav/config/Error.h>
-#include <bslnav/costmap/MapLoader.h>
 #include <bslnav/evaluation/RawlogRun.h>
 #include <bslnav/navigation/Localization.h>
 #include <bslnav/navigation/RawlogReader.h>
@@ -22,12 +21,28 @@ mrpt::obs::CObservation2DRangeScan usableScan(const mrpt::obs::CObservation2DRan
   return usable;
 }
 
+RawlogReader readerOf(const RawlogSetup& setup) {
+  return RawlogReader(
+      setup.rawlog.file, setup.rawlog.gap_s,
+      setup.takesRecordedPoses() ? RawlogFraming::RecordedPoses : RawlogFraming::Measurements);
+}
+
+std::unique_ptr<Localization> localizationOf(
+    const RawlogSetup& setup, const std::shared_ptr<const mrpt::maps::COccupancyGridMap2D>& map,
+    std::uint64_t seed) {
+  if (setup.takesRecordedPoses()) return std::make_unique<RecordedLocalization>();
+  if (setup.localization.source == PoseSource::Odometry)
+    return std::make_unique<OdometryLocalization>(setup.rawlog.initialPose);
+  return std::make_unique<ParticleFilterLocalization>(
+      setup.particleFilter, map, setup.rawlog.initialPose, static_cast<std::uint32_t>(seed));
+}
+
 /** The map that the log's own scans give at the localised poses. */
 std::shared_ptr<const mrpt::maps::COccupancyGridMap2D> mapFromLog(const RawlogSetup& setup,
                                                                   const RecordedPath& path) {
   auto map = std::make_shared<mrpt::maps::COccupancyGridMap2D>(-1.0, 1.0, -1.0, 1.0,
                                                                setup.rawlog.mapResolution_m);
-  RawlogReader reader(setup.rawlog.file, setup.rawlog.gap_s);
+  RawlogReader reader = readerOf(setup);
   for (SensorFrame frame; reader.next(frame);) {
     const mrpt::poses::CPose3D pose(path.poseAt(frame.time_s));
     for (const auto& scan : frame.scans) map->insertObservation(usableScan(*scan), pose);
@@ -37,6 +52,14 @@ std::shared_ptr<const mrpt::maps::COccupancyGridMap2D> mapFromLog(const RawlogSe
                 "has no 2D laser scan to build a map from; expected [rawlog] map = none or a file",
                 Error::Kind::Run);
   return map;
+}
+
+/** Goals and sensors as the recorded run had them. */
+void prepare(NavigationCycle& cycle, const RawlogSetup& setup) {
+  cycle.setGoals(setup.scenario.goals);
+  for (const auto& laser : setup.lasers) cycle.expectSensor(SensorKind::Laser, laser.first);
+  if (!setup.navigation.depth.enabled) return;
+  for (const auto& camera : setup.cameras) cycle.expectSensor(SensorKind::Camera, camera.first);
 }
 
 void takeOver(const RawlogStatistics& statistics, RawlogFindings& findings) {
@@ -101,17 +124,9 @@ mrpt::math::TTwist2D chosenVelocity(const CycleRecord& record) {
 LocalizedLog localizeLog(const RawlogSetup& setup, std::uint64_t seed) {
   setup.check();
   mrpt::system::CTicTac watch;
-  std::shared_ptr<const mrpt::maps::COccupancyGridMap2D> map;
-  if (setup.rawlog.map != "none" && setup.rawlog.map != "log")
-    map = loadMap(setup.rawlog.map, {setup.rawlog.mapResolution_m, {0.0, 0.0}});
-
-  RawlogReader reader(setup.rawlog.file, setup.rawlog.gap_s);
-  std::unique_ptr<Localization> localization;
-  if (setup.localization.source == PoseSource::ParticleFilter)
-    localization = std::make_unique<ParticleFilterLocalization>(
-        setup.particleFilter, map, setup.rawlog.initialPose, static_cast<std::uint32_t>(seed));
-  else
-    localization = std::make_unique<OdometryLocalization>(setup.rawlog.initialPose);
+  auto map = setup.makeMap();
+  RawlogReader reader = readerOf(setup);
+  const auto localization = localizationOf(setup, map, seed);
   watch.Tic();
   RecordedPath path = recordPath(reader, *localization);
   if (setup.rawlog.map == "log") map = mapFromLog(setup, path);
@@ -132,8 +147,10 @@ RunSummary evaluateLog(const RawlogSetup& setup, const LocalizedLog& log, std::u
   mrpt::system::CTicTac watch;
   watch.Tic();
   NavigationParameters navigation = setup.navigation;
-  navigation.recovery.enabled = false;  // the robot does not do what it is told here
+  if (!setup.repeatsRun())
+    navigation.recovery.enabled = false;  // the robot does not do what it is told here
   NavigationCycle cycle(navigation, log.map);
+  if (setup.repeatsRun()) prepare(cycle, setup);
   RunSummary summary;
   summary.seed = seed;
   summary.method = navigation.method.number;
@@ -144,11 +161,12 @@ RunSummary evaluateLog(const RawlogSetup& setup, const LocalizedLog& log, std::u
 
   Metrics metrics;
   Comparison comparison;
-  RawlogReader reader(setup.rawlog.file, setup.rawlog.gap_s);
+  RawlogReader reader = readerOf(setup);
   double last_s = 0.0;
   for (SensorFrame frame; reader.next(frame);) {
-    frame.mapFromRobot = log.path.poseAt(frame.time_s);
-    cycle.setGoals({log.path.goalAhead(frame.time_s, setup.rawlog.goalAhead_s)});
+    if (!setup.takesRecordedPoses()) frame.mapFromRobot = log.path.poseAt(frame.time_s);
+    if (!setup.repeatsRun())
+      cycle.setGoals({log.path.goalAhead(frame.time_s, setup.rawlog.goalAhead_s)});
     const CycleRecord& record = cycle.step(frame);
     metrics.add(record, {frame.mapFromRobot.x, frame.mapFromRobot.y}, frame.twist.vx,
                 frame.afterGap ? 0.0 : frame.time_s - last_s);

@@ -101,7 +101,7 @@ RunSummary runSimulation(const SimulationSetup& setup, std::uint64_t seed,
       const CycleRecord& record = cycle.step(frame);
       const SimulationState& truth = simulator.state();
       metrics.add(record, {truth.pose.x, truth.pose.y}, truth.twist.vx, period_s);
-      const bool interrupted = observer && !observer({record, truth, cycle});
+      const bool interrupted = observer && !observer({record, truth, cycle, frame});
       if (interrupted) summary.reason = "interrupted";
       if (interrupted || isOver(record, truth, setup, summary)) break;
       simulator.step(record.motion.command, period_s);

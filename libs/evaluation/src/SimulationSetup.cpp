@@ -55,6 +55,20 @@ void PictureParameters::describe(ConfigSection& section) {
                "whether to write candidates.csv: every candidate of every cycle");
 }
 
+void RecordingParameters::describe(ConfigSection& section) {
+  section.flag("rawlog", rawlog,
+               "whether to write run.rawlog: what the robot sensed and where it was localised, for "
+               "MRPT's tools and for bslnav-rawlog");
+  section.flag("scene", scene,
+               "whether to write run.3Dscene: an instant of the run, for MRPT's SceneViewer3D");
+  section.number("scene_s", scene_s, kNonNegative, "s",
+                 "the instant of that scene; 0: the end of the run");
+  section.flag("scene_picture", scenePicture,
+               "whether to draw that instant as scene.png; needs OpenGL (EGL), but no display");
+  section.integer("picture_width_px", pictureWidth_px, {64, 8192}, "px", "width of scene.png");
+  section.integer("picture_height_px", pictureHeight_px, {64, 8192}, "px", "height of scene.png");
+}
+
 void SimulationSetup::bind(Config& config) {
   config.bind("scenario", "From where to where.", scenario);
   navigation.bind(config);
@@ -74,6 +88,7 @@ void SimulationSetup::bind(Config& config) {
                       "A person who walks along a path when the robot crosses a line.",
                       world.pedestrians);
   config.bind("pictures", "What is drawn and recorded besides the standard files.", pictures);
+  config.bind("recording", "What a run leaves in MRPT's formats.", recording);
 }
 
 void SimulationSetup::check() const {

@@ -92,9 +92,9 @@ void CHolonomicDwa::navigate(const NavInput& ni, NavOutput& no) {
         std::max(limits_.maxSpeed_mps * parameters_.horizon_s, state.relTarget.norm()) + 1.0;
     const int cells = static_cast<int>(2.0 * reach / openGround_.getResolution());
     openGround_ = CostGrid(cells, cells, openGround_.getResolution(), -reach, -reach);
-    const std::vector<mrpt::math::TPoint2D> straight{{0.0, 0.0},
-                                                     {state.relTarget.x, state.relTarget.y}};
-    const DwaInput input{{}, state.curVelLocal, straight, straight.back(), 0.1, true};
+    const std::vector<mrpt::math::TPoint2D> noPath;  // the target is all that MRPT knows
+    const DwaInput input{{}, state.curVelLocal, noPath, {state.relTarget.x, state.relTarget.y},
+                         0.1, true};
     evaluator_->begin(input, openGround_);
     evaluatePaths(input, ni.obstacles);
   }

@@ -15,6 +15,7 @@ using mrpt::math::TPose2D;
 using mrpt::math::TTwist2D;
 using mrpt::obs::CObservation2DRangeScan;
 
+constexpr double kTicksPerSecond = 1e7;   // of MRPT's clock
 constexpr std::size_t kMostWaiting = 32;  // records, for odometry that comes late or never
 
 /** All of them, scans first. */
@@ -73,6 +74,12 @@ void RawlogFrames::addMeasurements(RawlogMeasurements measurements) {
   if (measurements.empty()) return;
   for (const auto& depth : measurements.depth) forgetPoints(*depth);
   lastStamp_s_ = stampOf(observationsOf(measurements)).value_or(lastStamp_s_);
+  if (framing_ == RawlogFraming::RecordedPoses) {
+    auto& [scans, depth] = cycle_;
+    scans.insert(scans.end(), measurements.scans.begin(), measurements.scans.end());
+    depth.insert(depth.end(), measurements.depth.begin(), measurements.depth.end());
+    return;
+  }
   waiting_.push_back({statistics.entries - 1, lastStamp_s_, std::move(measurements)});
   release(odometry_.hasIncrement());
 }
@@ -101,30 +108,52 @@ void RawlogFrames::dropDepthWithoutImage(Waiting& released) {
 
 void RawlogFrames::emit(const Waiting& released) {
   SensorFrame frame;
-  setTime(frame, released);
-  frame.odometry = odometry_.poseAt(released.stamp_s);
+  const auto observations = observationsOf(released.measurements);
+  setTime(frame, released,
+          clock_.advance(stampOf(observations), nameOfSensor(*observations.front())));
+  complete(frame, released);
   frame.mapFromRobot = frame.odometry;
-  if (frame.afterGap) estimator_.restart(frame.odometry, frame.time_s);
-  const TTwist2D estimated = estimator_.update(frame.odometry, frame.time_s);
-  frame.twist = reported_.value_or(estimated);
-  frame.scans.assign(released.measurements.scans.begin(), released.measurements.scans.end());
-  frame.depth.assign(released.measurements.depth.begin(), released.measurements.depth.end());
-  count(frame);
   ready.push_back(std::move(frame));
 }
 
-void RawlogFrames::setTime(SensorFrame& frame, const Waiting& released) {
-  const auto observations = observationsOf(released.measurements);
-  const auto step = clock_.advance(stampOf(observations), nameOfSensor(*observations.front()));
+/* Seconds since the epoch have steps of 0.1 us as a double, and their sums far more; the difference
+ * of two stamps is exact. */
+void RawlogFrames::addPose(const TPose2D& mapFromRobot, mrpt::Clock::time_point stamp) {
+  if (framing_ != RawlogFraming::RecordedPoses) return;
+  if (!origin_) origin_ = stamp;
+  const double sinceOrigin_s = static_cast<double>((stamp - *origin_).count()) / kTicksPerSecond;
+  Waiting cycle{statistics.entries - 1, mrpt::Clock::toDouble(stamp), std::exchange(cycle_, {})};
+  dropDepthWithoutImage(cycle);
+  SensorFrame frame;
+  setTime(frame, cycle, clock_.advance(sinceOrigin_s, "pose"));
+  frame.startTime_s += mrpt::Clock::toDouble(*origin_);
+  complete(frame, cycle);
+  frame.mapFromRobot = mapFromRobot;
+  ready.push_back(std::move(frame));
+}
+
+void RawlogFrames::setTime(SensorFrame& frame, const Waiting& released, RawlogClock::Step step) {
   if (step == RawlogClock::Step::Missing) ++statistics.missingTimeStamps;
   if (step == RawlogClock::Step::None) ++statistics.equalTimeStamps;
   frame.afterGap = step == RawlogClock::Step::Jump;
   if (frame.afterGap) statistics.clockJumps.push_back({released.record, clock_.step_s()});
   frame.time_s = clock_.time_s();
   frame.startTime_s = clock_.startTime_s();
-  for (auto* observation : observations)  // so that all of them have an age
+}
+
+/** Everything that comes after its time. */
+void RawlogFrames::complete(SensorFrame& frame, const Waiting& released) {
+  for (auto* observation :
+       observationsOf(released.measurements))  // so that all of them have an age
     if (observation->timestamp == INVALID_TIMESTAMP)
       observation->timestamp = mrpt::Clock::fromDouble(frame.startTime_s + frame.time_s);
+  frame.odometry = odometry_.poseAt(released.stamp_s);
+  if (frame.afterGap) estimator_.restart(frame.odometry, frame.time_s);
+  const TTwist2D estimated = estimator_.update(frame.odometry, frame.time_s);
+  frame.twist = reported_.value_or(estimated);
+  frame.scans.assign(released.measurements.scans.begin(), released.measurements.scans.end());
+  frame.depth.assign(released.measurements.depth.begin(), released.measurements.depth.end());
+  count(frame);
 }
 
 void RawlogFrames::count(const SensorFrame& frame) {

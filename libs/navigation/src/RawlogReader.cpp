@@ -16,7 +16,8 @@ namespace bslnav {
  * and does not tell the end of the file from a damaged record, so the objects are read one by one.
  */
 struct RawlogReader::Stream {
-  Stream(const std::string& file, double gap_s) : frames(gap_s, imagesDirectoryOf(file)) {
+  Stream(const std::string& file, double gap_s, RawlogFraming framing)
+      : frames(gap_s, imagesDirectoryOf(file), framing) {
     if (!input.open(file)) throw Error(file, "cannot be opened; expected a rawlog");
     archive = mrpt::serialization::archiveUniquePtrFrom(input);
   }
@@ -51,9 +52,12 @@ struct RawlogReader::Stream {
 namespace {
 
 /** Why a log that has been read to its end gives no frame. */
-std::string whyNoFrame(const RawlogStatistics& statistics) {
+std::string whyNoFrame(const RawlogStatistics& statistics, RawlogFraming framing) {
   if (statistics.entries == 0)
     return "is not a rawlog, or its first record is cut off or of an unknown class";
+  if (framing == RawlogFraming::RecordedPoses)
+    return "has no recorded pose in " + std::to_string(statistics.entries) +
+           " records; expected a CObservationRobotPose a control cycle";
   if (statistics.droppedDepthFrames > 0)
     return "has no 2D laser scan, and none of its " +
            std::to_string(statistics.droppedDepthFrames) +
@@ -64,14 +68,14 @@ std::string whyNoFrame(const RawlogStatistics& statistics) {
 
 }  // namespace
 
-RawlogReader::RawlogReader(const std::string& file, double gap_s) {
+RawlogReader::RawlogReader(const std::string& file, double gap_s, RawlogFraming framing) {
   namespace fs = std::filesystem;
   if (!fs::is_regular_file(file)) throw Error(file, "no such file; expected a rawlog");
   if (fs::file_size(file) == 0) throw Error(file, "is empty; expected a rawlog", Error::Kind::Run);
-  stream_ = std::make_unique<Stream>(file, gap_s);
+  stream_ = std::make_unique<Stream>(file, gap_s, framing);
   stream_->readUntilReady();
   if (stream_->frames.ready.empty())
-    throw Error(file, whyNoFrame(stream_->frames.statistics), Error::Kind::Run);
+    throw Error(file, whyNoFrame(stream_->frames.statistics, framing), Error::Kind::Run);
 }
 
 RawlogReader::~RawlogReader() = default;

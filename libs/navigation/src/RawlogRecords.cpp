@@ -4,6 +4,7 @@
 #include <mrpt/obs/CActionCollection.h>
 #include <mrpt/obs/CActionRobotMovement2D.h>
 #include <mrpt/obs/CObservationOdometry.h>
+#include <mrpt/obs/CObservationRobotPose.h>
 #include <mrpt/obs/CSensoryFrame.h>
 
 #include <cmath>
@@ -16,6 +17,7 @@ namespace {
 using mrpt::math::TTwist2D;
 using mrpt::obs::CActionRobotMovement2D;
 using mrpt::obs::CObservationOdometry;
+using mrpt::obs::CObservationRobotPose;
 
 /** The velocities of an entry, if it has any that a robot can have.
  *
@@ -48,6 +50,11 @@ void takeReading(const CObservationOdometry& reading, RawlogFrames& frames) {
                     reportedTwist(reading.hasVelocities, reading.velocityLocal));
 }
 
+void takePose(const CObservationRobotPose& pose, RawlogFrames& frames) {
+  if (pose.timestamp == INVALID_TIMESTAMP) return;
+  frames.addPose(mrpt::math::TPose2D(pose.pose.mean.asTPose()), pose.timestamp);
+}
+
 /** Sorts an object among the measurements, if it is one. */
 void addTo(RawlogMeasurements& measurements,
            const mrpt::serialization::CSerializable::Ptr& object) {
@@ -66,6 +73,8 @@ void take(const mrpt::serialization::CSerializable::Ptr& object, RawlogFrames& f
   const auto takeObservation = [&](const mrpt::serialization::CSerializable::Ptr& observation) {
     if (const auto* reading = dynamic_cast<const CObservationOdometry*>(observation.get()))
       takeReading(*reading, frames);
+    else if (const auto* pose = dynamic_cast<const CObservationRobotPose*>(observation.get()))
+      takePose(*pose, frames);
     else
       addTo(measurements, observation);
   };

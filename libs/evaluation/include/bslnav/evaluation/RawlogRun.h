@@ -33,8 +33,10 @@ struct LocalizedLog {
  *  scans */
 LocalizedLog localizeLog(const RawlogSetup& setup, std::uint64_t seed);
 
-/** Runs the control cycle over the log: what would the planner have seen and commanded? The robot
- * does as recorded; the goal is taken from the recorded future. */
+/** Runs the control cycle over the log: what would the planner have seen and commanded?
+ *
+ * The robot does as recorded; the goal is taken from the recorded future, or where the setup
+ * repeats a run, from its scenario: then the commands are those of the run, cycle by cycle. */
 RunSummary evaluateLog(const RawlogSetup& setup, const LocalizedLog& log, std::uint64_t seed,
                        const RawlogObserver& observer = {});
 

@@ -8,10 +8,19 @@
 
 namespace bslnav {
 
+/** Where the poses of a log's robot come from. */
+enum class LogPose : std::uint8_t {
+  Automatic,  ///< recorded where [scenario] names goals, else as [localization] says
+  Recorded,
+  Localization
+};
+
 struct RawlogParameters {
   std::string file;  ///< also --rawlog
-  std::string map =
-      "none";  ///< "none", "log" (built from the log's own scans), or a map file; also --map
+  /** "scenario" (that of the recorded run), "none", "log" (built from the log's own scans), or a
+   * map file; also --map */
+  std::string map = "scenario";
+  LogPose pose = LogPose::Automatic;
   double mapResolution_m = 0.05;  ///< of a map built from a simplemap or from the log
   mrpt::math::TPose2D initialPose;
   double goalAhead_s = 5.0;
@@ -21,13 +30,22 @@ struct RawlogParameters {
   void describe(ConfigSection& section);
 };
 
-/** Everything that an offline evaluation is made of. */
-struct RawlogSetup {
-  NavigationParameters navigation;
+/** Everything that an offline evaluation is made of: the log, and a run's configuration.
+ *
+ * What the configuration says of a world, a scenario and sensors is how the log came about: with
+ * goals in [scenario], the log is a run to these goals. */
+struct RawlogSetup : SimulationSetup {
+  RawlogSetup() { localization.source = PoseSource::Odometry; }
+
   RawlogParameters rawlog;
-  LocalizationParameters localization{PoseSource::Odometry};
-  ParticleFilterParameters particleFilter;
-  PictureParameters pictures;
+
+  /** Whether the robot was where the log says it was localised. */
+  bool takesRecordedPoses() const;
+  /** Whether the log is taken for a run with this configuration, of which every cycle is repeated:
+   * the recorded poses, the goals of the scenario, the sensors of the robot. */
+  bool repeatsRun() const { return takesRecordedPoses() && !scenario.goals.empty(); }
+  /** The map that is known without reading the log; null for none. @throws Error */
+  std::shared_ptr<const mrpt::maps::COccupancyGridMap2D> makeMap() const;
 
   /** Binds every part to its section; this object must outlive the configuration. */
   void bind(Config& config);

@@ -14,6 +14,7 @@ struct SimulationMoment {
   const CycleRecord& record;
   const SimulationState& truth;
   const NavigationCycle& cycle;
+  const SensorFrame& frame;  ///< what the robot sensed
 };
 
 /** Called after every cycle; returning false interrupts the run: the robot is told to stop, and the

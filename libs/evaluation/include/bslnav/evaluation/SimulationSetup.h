@@ -54,6 +54,15 @@ struct PictureParameters {
   void describe(ConfigSection& section);
 };
 
+/** What a run leaves in MRPT's own formats. */
+struct RecordingParameters {
+  bool rawlog = false, scene = false, scenePicture = false;
+  double scene_s = 0.0;  ///< instant of the scene; 0: the end of the run
+  int pictureWidth_px = 1600, pictureHeight_px = 900;
+
+  void describe(ConfigSection& section);
+};
+
 /** Everything that a simulated run is made of. */
 struct SimulationSetup {
   NavigationParameters navigation;
@@ -67,6 +76,7 @@ struct SimulationSetup {
       cameras;  ///< used when `navigation.depth` is enabled
   WorldParameters world;
   PictureParameters pictures;
+  RecordingParameters recording;
 
   /** Binds every part to its section; this object must outlive the configuration. */
   void bind(Config& config);

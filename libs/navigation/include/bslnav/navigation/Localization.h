@@ -10,8 +10,8 @@ class Localization {
  public:
   virtual ~Localization() = default;
 
-  /** Takes the next frame and returns the pose of the robot in the map; `frame.mapFromRobot` is not
-   * read. */
+  /** Takes the next frame and returns the pose of the robot in the map; only RecordedLocalization
+   * reads `frame.mapFromRobot`. */
   virtual mrpt::math::TPose2D update(const SensorFrame& frame) = 0;
 
   /** Standard deviation of the position; 0 from a localisation that estimates none. */
@@ -32,6 +32,13 @@ class OdometryLocalization : public Localization {
  private:
   mrpt::math::TPose2D mapFromRobot_, odometry_;
   bool hasOdometry_ = false;
+};
+
+/** Trusts the poses of the frames: those that a log recorded. */
+class RecordedLocalization : public Localization {
+ public:
+  mrpt::math::TPose2D update(const SensorFrame& frame) override { return frame.mapFromRobot; }
+  double spread_m() const override { return 0.0; }
 };
 
 }  // namespace bslnav

@@ -42,8 +42,14 @@ struct RawlogStatistics {
   }
 };
 
-/** Streams the frames of an MRPT rawlog, one for each 2D scan, depth observation or sensory frame,
- * compressed or not.
+/** What makes a frame of a log. */
+enum class RawlogFraming {
+  Measurements,  ///< every 2D scan, depth observation or sensory frame
+  RecordedPoses  ///< every CObservationRobotPose: a control cycle of the recorded run, with what
+                 ///< was logged since the one before
+};
+
+/** Streams the frames of an MRPT rawlog, compressed or not; `RawlogFraming` says what a frame is.
  *
  * Reads both formats: action and sensory frame pairs (odometry increments are summed) and single
  * observations (odometry is interpolated at their time). Range images that the log stores outside
@@ -51,14 +57,18 @@ struct RawlogStatistics {
  * depth observation without range image is dropped and counted, its points are not used. The twist
  * is the action's where it has one, else it comes from odometry differences. A frame without a time
  * stamp takes the time of the one before; after a clock that went back, time goes on from there.
- * Ranges are passed on as they are, NaN and zero included. */
+ * Ranges are passed on as they are, NaN and zero included.
+ *
+ * With `RawlogFraming::RecordedPoses` a frame has the recorded pose as `mapFromRobot`, its time to
+ * the 100 ns of MRPT's clock, and the last odometry reading before it, with its twist, as it is. */
 class RawlogReader {
  public:
   /** Opens the log and reads up to its first frame.
    *  @param gap_s a step of the clock above it is a gap (SensorFrame::afterGap)
-   *  @throws Error when the file is missing, empty, not a rawlog, or without any 2D scan or depth
+   *  @throws Error when the file is missing, empty, not a rawlog, or without anything that makes a
    * frame */
-  explicit RawlogReader(const std::string& file, double gap_s = 2.0);
+  explicit RawlogReader(const std::string& file, double gap_s = 2.0,
+                        RawlogFraming framing = RawlogFraming::Measurements);
   ~RawlogReader();
   RawlogReader(RawlogReader&&) noexcept;
   RawlogReader& operator=(RawlogReader&&) noexcept;
