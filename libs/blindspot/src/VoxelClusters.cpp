@@ -118,6 +118,7 @@ void VoxelClusters::addRow(int columns) {
       target = current < 0 ? nullptr : voxelAt(current);
       if (target) sum = *target;
     }
+    if (!target) continue;
     sum.x += x_[u];
     sum.y += y_[u];
     sum.z += z_[u];
@@ -166,6 +167,7 @@ void VoxelClusters::connect() {
   for (std::size_t block = 0; block < columns_.size(); ++block) addParts(block);
   firstPart_.push_back(parts_.size());
   joinNeighbours(true);
+  for (Part& part : parts_) part.point = rootOf(part.point);
   joinNeighbours(false);
 }
 
@@ -210,6 +212,7 @@ void VoxelClusters::joinNeighbours(bool adjacent) {
 void VoxelClusters::join(std::size_t block, std::size_t other) {
   for (std::size_t i = firstPart_[block]; i < firstPart_[block + 1]; ++i)
     for (std::size_t j = firstPart_[other]; j < firstPart_[other + 1]; ++j) {
+      if (parts_[i].point == parts_[j].point) continue;  // spares most the look at their roots
       const int a = rootOf(parts_[i].point), b = rootOf(parts_[j].point);
       if (a != b && isNear(parts_[i], parts_[j], parts_[i].voxels))
         parent_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
