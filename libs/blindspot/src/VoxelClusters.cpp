@@ -65,7 +65,7 @@ VoxelClusters::VoxelClusters(const DepthClusterParameters& parameters)
   blockOf_.assign(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_), -1);
   const double reachSquared = std::pow(parameters.tolerance_m / parameters.leaf_m, 2);
   for (int dx = 0; dx <= reach_; ++dx)
-    for (int dy = dx == 0 ? 0 : -reach_; dy <= reach_; ++dy) {
+    for (int dy = dx == 0 ? 1 : -reach_; dy <= reach_; ++dy) {
       const double gapX = std::max(0, dx - 1), gapY = std::max(0, std::abs(dy) - 1);
       if (gapX * gapX + gapY * gapY < reachSquared)
         neighbours_.push_back(
@@ -118,6 +118,7 @@ void VoxelClusters::addRow(int columns) {
       target = current < 0 ? nullptr : voxelAt(current);
       if (target) sum = *target;
     }
+    if (!target) continue;
     sum.x += x_[u];
     sum.y += y_[u];
     sum.z += z_[u];
@@ -157,15 +158,44 @@ void VoxelClusters::keepVoxels() {
     }
 }
 
-/** Joins voxels that are near enough (step 2c): adjacent columns first, since after that most pairs
- * of columns farther apart are of one cluster already and need no look. */
+/** Joins voxels that are near enough (step 2c): first to parts of columns, then part with part,
+ * adjacent columns first, since after that most parts farther away are of one cluster already. */
 void VoxelClusters::connect() {
   parent_.resize(cloud_.points.size());
-  for (std::size_t i = 0; i < parent_.size(); ++i) parent_[i] = static_cast<int>(i);
+  parts_.clear();
+  firstPart_.clear();
+  for (std::size_t block = 0; block < columns_.size(); ++block) addParts(block);
+  firstPart_.push_back(parts_.size());
   joinNeighbours(true);
-  common_.resize(columns_.size());
-  for (std::size_t block = 0; block < columns_.size(); ++block) common_[block] = commonPoint(block);
+  for (Part& part : parts_) part.point = rootOf(part.point);
   joinNeighbours(false);
+}
+
+/** Parts a column, from its top down: mostly, the next voxel is near the one above. */
+void VoxelClusters::addParts(std::size_t block) {
+  const std::size_t first = parts_.size();
+  firstPart_.push_back(first);
+  std::uint64_t bit = 0;
+  for (std::uint64_t left = occupied_[block]; left != 0; left ^= bit) {
+    bit = std::uint64_t{1} << (63 - __builtin_clzll(left));
+    Part part{block, bit, 0};
+    for (std::size_t i = first; i < parts_.size();) {
+      if (isNear(part, parts_[i], bit)) {
+        part.voxels |= parts_[i].voxels;
+        parts_[i] = parts_.back();
+        parts_.pop_back();
+      } else {
+        ++i;
+      }
+    }
+    parts_.push_back(part);
+  }
+  for (std::size_t i = first; i < parts_.size(); ++i) {
+    parts_[i].point = voxelsOf(block)[__builtin_ctzll(parts_[i].voxels)].count;
+    for (std::uint64_t left = parts_[i].voxels; left != 0; left &= left - 1)
+      parent_[static_cast<std::size_t>(voxelsOf(block)[__builtin_ctzll(left)].count)] =
+          parts_[i].point;
+  }
 }
 
 void VoxelClusters::joinNeighbours(bool adjacent) {
@@ -173,49 +203,35 @@ void VoxelClusters::joinNeighbours(bool adjacent) {
     if (occupied_[block] == 0) continue;
     for (const Offset& offset : neighbours_) {
       if (offset.adjacent != adjacent) continue;
-      const int found = blockOf_[static_cast<std::size_t>(columns_[block] + offset.column)];
-      if (found < 0) continue;
-      const auto other = static_cast<std::size_t>(found);
-      if (occupied_[other] == 0) continue;
-      const bool joined = !adjacent && common_[block] >= 0 && common_[other] >= 0 &&
-                          rootOf(common_[block]) == rootOf(common_[other]);
-      if (!joined) join(block, other, offset.column == 0);
+      const int other = blockOf_[static_cast<std::size_t>(columns_[block] + offset.column)];
+      if (other >= 0) join(block, static_cast<std::size_t>(other));
     }
   }
 }
 
-/** A point of a column whose points are all of one cluster; −1 if they are not, or there is none.
- */
-int VoxelClusters::commonPoint(std::size_t block) {
-  int common = -1;
-  for (std::uint64_t left = occupied_[block]; left != 0; left &= left - 1) {
-    const auto layer = static_cast<std::size_t>(__builtin_ctzll(left));
-    const int point = voxels_[block * static_cast<std::size_t>(layers_) + layer].count;
-    if (common >= 0 && rootOf(point) != rootOf(common)) return -1;
-    common = point;
-  }
-  return common;
+void VoxelClusters::join(std::size_t block, std::size_t other) {
+  for (std::size_t i = firstPart_[block]; i < firstPart_[block + 1]; ++i)
+    for (std::size_t j = firstPart_[other]; j < firstPart_[other + 1]; ++j) {
+      if (parts_[i].point == parts_[j].point) continue;  // spares most the look at their roots
+      const int a = rootOf(parts_[i].point), b = rootOf(parts_[j].point);
+      if (a != b && isNear(parts_[i], parts_[j], parts_[i].voxels))
+        parent_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+    }
 }
 
-void VoxelClusters::join(std::size_t block, std::size_t other, bool same) {
+/** Whether one of these voxels of the one part is near enough to one of the other. */
+bool VoxelClusters::isNear(const Part& part, const Part& other, std::uint64_t voxels) const {
   const float reachSquared = static_cast<float>(parameters_.tolerance_m * parameters_.tolerance_m);
-  const auto layers = static_cast<std::size_t>(layers_);
-  for (std::uint64_t left = occupied_[block]; left != 0; left &= left - 1) {
+  for (std::uint64_t left = voxels; left != 0; left &= left - 1) {
     const int layer = __builtin_ctzll(left);
-    const Voxel& a = voxels_[block * layers + static_cast<std::size_t>(layer)];
-    std::uint64_t near = occupied_[other] & window(layer, reach_);
-    if (same) near &= left & (left - 1);  // each pair once
-    int root = rootOf(a.count);
-    for (; near != 0; near &= near - 1) {
-      const Voxel& b = voxels_[other * layers + static_cast<std::size_t>(__builtin_ctzll(near))];
+    const Voxel& a = voxelsOf(part.block)[layer];
+    for (std::uint64_t near = other.voxels & window(layer, reach_); near != 0; near &= near - 1) {
+      const Voxel& b = voxelsOf(other.block)[__builtin_ctzll(near)];
       const float dx = a.x - b.x, dy = a.y - b.y, dz = a.z - b.z;
-      if (dx * dx + dy * dy + dz * dz > reachSquared) continue;
-      const int otherRoot = rootOf(b.count);
-      if (otherRoot == root) continue;
-      parent_[static_cast<std::size_t>(std::max(root, otherRoot))] = std::min(root, otherRoot);
-      root = std::min(root, otherRoot);
+      if (dx * dx + dy * dy + dz * dz <= reachSquared) return true;
     }
   }
+  return false;
 }
 
 int VoxelClusters::rootOf(int point) {

@@ -30,29 +30,39 @@ class VoxelClusters {
     std::ptrdiff_t column;
     bool adjacent;
   };
+  struct Part {  // voxels of a column that are of one cluster, whatever the other columns
+    std::size_t block;
+    std::uint64_t voxels;  // one bit each
+    int point;             // the lowest
+  };
 
   void clear();
   void add(const DepthFrame& frame);
   void addRow(int columns);
   Voxel* voxelAt(int key);
   void keepVoxels();
-  void join(std::size_t block, std::size_t other, bool same);
+  const Voxel* voxelsOf(std::size_t block) const {
+    return voxels_.data() + block * static_cast<std::size_t>(layers_);
+  }
   void connect();
+  void addParts(std::size_t block);
   void joinNeighbours(bool adjacent);
-  int commonPoint(std::size_t block);
+  void join(std::size_t block, std::size_t other);
+  bool isNear(const Part& part, const Part& other, std::uint64_t voxels) const;
   int rootOf(int point);
   void number();
 
   DepthClusterParameters parameters_;
   int half_, side_, lowest_, layers_, reach_;  // in voxels
-  std::vector<Offset> neighbours_;             // of a column, in one half plane, and itself
+  std::vector<Offset> neighbours_;             // of a column, in one half plane
   std::vector<int> blockOf_;                   // of each column of the volume, or −1
   std::vector<int> columns_;                   // of each block
   std::vector<Voxel> voxels_;                  // layers_ of each block
   std::vector<std::uint64_t> occupied_;        // of each block: one bit a voxel
   std::vector<float> x_, y_, z_;               // of a row of pixels
   std::vector<int> key_;
-  std::vector<int> common_;  // a point of each block if all are joined, or −1
+  std::vector<Part> parts_;             // block by block
+  std::vector<std::size_t> firstPart_;  // of each block, and the end
   std::vector<int> parent_, size_;
   ClusteredCloud cloud_;
 };
