@@ -68,8 +68,8 @@ void RunScene::observe(const SimulationMoment& moment) {
   people_ = moment.truth.people;
   path_ = moment.record.path;
   dangerZones_ = moment.record.dangerZones;
-  localCosts_ = moment.cycle.localCosts();
-  costs_ = hasMap_ ? moment.cycle.planningCosts() : localCosts_;
+  localCosts_ = moment.cycle.surroundings().localCosts();
+  costs_ = hasMap_ ? moment.cycle.surroundings().planningCosts() : localCosts_;
   for (const auto& scan : moment.frame.scans) scans_[scan->sensorLabel] = scan;
   for (const auto& depth : moment.frame.depth) depth_[depth->sensorLabel] = depth;
 }
