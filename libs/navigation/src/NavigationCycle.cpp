@@ -189,9 +189,10 @@ void NavigationCycle::findBlindSpots() {
   if (!found) return;
   record_.blindSpots = *found;
   record_.dangerZones.clear();
+  const double speed_mps = std::abs(speedOf(record_.twist, parameters_.limits));
   for (const BlindSpot& spot : record_.blindSpots)
     record_.dangerZones.push_back(
-        dangerZone(spot, record_.mapFromRobot, std::abs(record_.twist.vx), parameters_.dangerZone));
+        dangerZone(spot, record_.mapFromRobot, speed_mps, parameters_.dangerZone));
 }
 
 void NavigationCycle::advanceWaypoint() {

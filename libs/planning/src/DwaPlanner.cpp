@@ -39,6 +39,8 @@ void DwaParameters::describe(ConfigSection& section) {
   section.integer("speed_samples", speedSamples, {2, 500}, "", "speeds in the dynamic window");
   section.integer("yaw_rate_samples", yawRateSamples, {1, 500}, "",
                   "turning rates in the dynamic window");
+  section.integer("lateral_samples", lateralSamples, {1, 500}, "",
+                  "lateral speeds in the dynamic window, when the robot can move sideways");
   section.flag("allow_unknown", allowUnknown,
                "whether a rollout may cross unknown cells and leave the map");
   weights.describe(section);
@@ -52,7 +54,9 @@ DwaPlanner::DwaPlanner(const DwaParameters& parameters, const RobotLimits& limit
       footprint_(footprint),
       controlPeriod_s_(controlPeriod_s),
       oscillation_(parameters.oscillation) {
-  const int count = parameters.speedSamples * parameters.yawRateSamples;
+  if (limits.maxLateralSpeed_mps == 0.0) parameters_.lateralSamples = 1;
+  const int count =
+      parameters.speedSamples * parameters_.lateralSamples * parameters.yawRateSamples;
   result_.candidates.resize(static_cast<std::size_t>(count));
 }
 
@@ -71,15 +75,28 @@ const DwaResult& DwaPlanner::plan(const DwaInput& input, const CostGrid& costs) 
     cap = stoppingSpeed((input.goal - robot).norm(), limits_.deceleration_mps2, controlPeriod_s_);
   const DynamicWindow window = dynamicWindow(input.twist, limits_, parameters_.window_s, cap);
 
-  auto candidate = result_.candidates.begin();
-  for (int i = parameters_.speedSamples - 1; i >= 0; --i)
-    for (int k = 0; k < parameters_.yawRateSamples; ++k, ++candidate) {
-      candidate->v_mps = sampleOf(window.vMin, window.vMax, i, parameters_.speedSamples);
-      candidate->w_radps = sampleOf(window.wMin, window.wMax, k, parameters_.yawRateSamples);
-      evaluate(*candidate, costs);
-    }
+  sample(window, input.twist, cap);
+  for (Candidate& candidate : result_.candidates) evaluate(candidate, costs);
   choose(input);
   return result_;
+}
+
+void DwaPlanner::sample(const DynamicWindow& window, const mrpt::math::TTwist2D& current,
+                        double speedCap_mps) {
+  const int speeds = parameters_.speedSamples, sides = parameters_.lateralSamples;
+  const int turns = parameters_.yawRateSamples;
+  auto candidate = result_.candidates.begin();
+  for (int i = speeds - 1; i >= 0; --i)
+    for (int j = 0; j < sides; ++j)
+      for (int k = 0; k < turns; ++k, ++candidate) {
+        const auto twist = withinWindow({sampleOf(window.vMin, window.vMax, i, speeds),
+                                         sampleOf(window.vyMin, window.vyMax, j, sides),
+                                         sampleOf(window.wMin, window.wMax, k, turns)},
+                                        current, limits_, parameters_.window_s, speedCap_mps);
+        candidate->v_mps = twist.vx;
+        candidate->vy_mps = twist.vy;
+        candidate->w_radps = twist.omega;
+      }
 }
 
 void DwaPlanner::evaluate(Candidate& candidate, const CostGrid& costs) const {
@@ -87,12 +104,12 @@ void DwaPlanner::evaluate(Candidate& candidate, const CostGrid& costs) const {
   candidate.terms = {};
   candidate.total = 0.0;
   candidate.steps = 0;
-  if (!oscillation_.allows(candidate.v_mps, candidate.w_radps)) {
+  const double speed_mps = candidate.speed_mps();
+  if (!oscillation_.allows(speed_mps, candidate.w_radps)) {
     candidate.verdict = Verdict::Oscillation;
     return;
   }
-  const RolloutOutcome rollout =
-      rollOut(candidate.v_mps, candidate.w_radps, result_.setup, costs, footprint_);
+  const RolloutOutcome rollout = rollOut(candidate.twist(), result_.setup, costs, footprint_);
   candidate.steps = rollout.steps;
   if (rollout.blocked()) {
     candidate.verdict =
@@ -101,10 +118,9 @@ void DwaPlanner::evaluate(Candidate& candidate, const CostGrid& costs) const {
   }
   candidate.verdict = Verdict::Admissible;
   const Cost unavoidable = rollout.end == RolloutOutcome::End::Goal ? goalCost_ : kFreeCost;
-  candidate.terms = {pathDistance_(rollout.endPoint),
-                     goalTerm(rollout, candidate.v_mps, result_.setup),
+  candidate.terms = {pathDistance_(rollout.endPoint), goalTerm(rollout, speed_mps, result_.setup),
                      dangerTerm(rollout.highestCost, unavoidable, parameters_.weights),
-                     velocityTerm(candidate.v_mps, parameters_.weights)};
+                     velocityTerm(speed_mps, parameters_.weights)};
   candidate.total = weighted(candidate.terms, parameters_.weights);
 }
 
@@ -118,7 +134,7 @@ void DwaPlanner::choose(const DwaInput& input) {
   // Ties go to the faster, then to the straighter candidate, so that equal costs never leave the
   // robot standing.
   const auto rank = [](const Candidate& c) {
-    return std::make_tuple(-c.v_mps, std::abs(c.w_radps), c.total);
+    return std::make_tuple(-c.speed_mps(), std::abs(c.w_radps), std::abs(c.vy_mps), c.total);
   };
   result_.best = -1;
   for (std::size_t i = 0; i < result_.candidates.size(); ++i) {
@@ -135,9 +151,8 @@ void DwaPlanner::choose(const DwaInput& input) {
   }
   const Candidate& best = result_.candidates[static_cast<std::size_t>(result_.best)];
   result_.status = DwaResult::Status::Ok;
-  result_.command =
-      limited({best.v_mps, 0.0, best.w_radps}, input.twist, limits_, controlPeriod_s_);
-  oscillation_.commanded(best.v_mps, best.w_radps, input.mapFromRobot);
+  result_.command = limited(best.twist(), input.twist, limits_, controlPeriod_s_);
+  oscillation_.commanded(best.speed_mps(), best.w_radps, input.mapFromRobot);
 }
 
 }  // namespace bslnav

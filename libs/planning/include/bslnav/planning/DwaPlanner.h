@@ -16,6 +16,7 @@ struct DwaParameters {
   double window_s = 1.0;  ///< within one control period a robot that stands could only creep, and
                           ///< creeping never pays for crossing a graded cost
   int speedSamples = 20, yawRateSamples = 40;
+  int lateralSamples = 1;  ///< counts for a robot that can move sideways
   bool allowUnknown = false;
   CostWeights weights;
   OscillationParameters oscillation;
@@ -37,10 +38,14 @@ struct DwaInput {
 struct Candidate {
   enum class Verdict : std::uint8_t { Admissible, Obstacle, Unknown, Oscillation };
   double v_mps = 0.0, w_radps = 0.0;
-  CostTerms terms;     ///< zero unless admissible
-  double total = 0.0;  ///< J
+  double vy_mps = 0.0;  ///< to the left
+  CostTerms terms;      ///< zero unless admissible
+  double total = 0.0;   ///< J
   Verdict verdict = Verdict::Admissible;
   int steps = 0;  ///< of the rollout
+
+  mrpt::math::TTwist2D twist() const { return {v_mps, vy_mps, w_radps}; }
+  double speed_mps() const { return speedOf(twist()); }
 };
 
 struct DwaResult {
@@ -66,6 +71,8 @@ class DwaPlanner {
   void reset() { oscillation_.reset(); }
 
  private:
+  void sample(const DynamicWindow& window, const mrpt::math::TTwist2D& current,
+              double speedCap_mps);
   void evaluate(Candidate& candidate, const CostGrid& costs) const;
   void choose(const DwaInput& input);
 
