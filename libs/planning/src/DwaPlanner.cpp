@@ -11,6 +11,34 @@ namespace {
 
 // Costs this near to each other are equal: a tenth of a millimetre of the way, far above rounding.
 constexpr double kTie = 1e-4;
+// Lateral motion gives many velocities for one way: costs this near are those of the same way, a
+// centimetre aside, but for the sampling.
+constexpr double kSameWay = 0.02;
+constexpr double kLever_m = 0.3;  // by which turning counts beside driving
+
+/** How much a candidate differs from a velocity, and how far from straight ahead it drives [m²/s²].
+ */
+double unrest(const Candidate& c, const mrpt::math::TTwist2D& from) {
+  const double x = c.v_mps - from.vx, y = c.vy_mps - from.vy,
+               w = kLever_m * (c.w_radps - from.omega);
+  return x * x + y * y + w * w + c.vy_mps * c.vy_mps;
+}
+
+/** Of the candidates that lead the same way as the best one and as fast, the calmest. */
+int calmest(const DwaResult& result, const mrpt::math::TTwist2D& from) {
+  const Candidate& best = result.candidates[static_cast<std::size_t>(result.best)];
+  int chosen = result.best;
+  double least = unrest(best, from);
+  for (std::size_t i = 0; i < result.candidates.size(); ++i) {
+    const Candidate& c = result.candidates[i];
+    if (c.verdict != Candidate::Verdict::Admissible || c.total > best.total + kSameWay ||
+        c.speed_mps() < 0.95 * best.speed_mps() || unrest(c, from) >= least)
+      continue;
+    least = unrest(c, from);
+    chosen = static_cast<int>(i);
+  }
+  return chosen;
+}
 
 }  // namespace
 
@@ -149,6 +177,7 @@ void DwaPlanner::choose(const DwaInput& input) {
     result_.command = brake(input.twist, limits_, controlPeriod_s_);
     return;
   }
+  if (parameters_.lateralSamples > 1) result_.best = calmest(result_, input.twist);
   const Candidate& best = result_.candidates[static_cast<std::size_t>(result_.best)];
   result_.status = DwaResult::Status::Ok;
   result_.command = limited(best.twist(), input.twist, limits_, controlPeriod_s_);

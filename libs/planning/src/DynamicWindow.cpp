@@ -23,6 +23,11 @@ mrpt::math::TTwist2D withinWindow(mrpt::math::TTwist2D velocity,
                                   double window_s, double speedCap_mps) {
   if (limits.maxLateralSpeed_mps == 0.0 || (velocity.vy == 0.0 && current.vy == 0.0))
     return velocity;
+  // A robot faster than the cap brakes straight: veering, too, would take from its deceleration.
+  if (std::hypot(current.vx, current.vy) > speedCap_mps) {
+    velocity.vx = current.vx;
+    velocity.vy = current.vy;
+  }
   const double speed = std::hypot(velocity.vx, velocity.vy);
   if (speed > speedCap_mps) {
     velocity.vx *= speedCap_mps / speed;
