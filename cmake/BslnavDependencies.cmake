@@ -12,7 +12,7 @@ macro(bslnav_find)
   endif()
 endmacro()
 
-foreach(component IN ITEMS config containers kinematics maps math obs random slam system)
+foreach(component IN ITEMS config containers kinematics maps math nav obs random slam system)
   bslnav_find(mrpt-${component})
 endforeach()
 bslnav_find(OpenCV COMPONENTS core imgproc imgcodecs)

@@ -26,6 +26,8 @@ void CommonOptions::addTo(CLI::App& app, const std::string& defaultOut) {
   app.add_option("CONFIG", configs, "configuration files (INI); later ones override earlier ones");
   app.add_option("--method", method,
                  "method number: short for config/methods/methodN.ini after the other files");
+  app.add_option("--navigator", navigator,
+                 "what chooses velocities: dwa, ptg or mrpt; short for --set navigator.type=...");
   app.add_option("--set", overrides,
                  "section.key=value, overrides the files; may be given several times")
       ->expected(1)
@@ -57,7 +59,10 @@ std::string methodFile(int method) {
 void CommonOptions::load(Config& config) const {
   std::vector<std::string> files = configs;
   if (method) files.push_back(methodFile(*method));
-  config.load(files, overrides);
+  std::vector<std::string> settings;
+  if (!navigator.empty()) settings.push_back("navigator.type=" + navigator);
+  settings.insert(settings.end(), overrides.begin(), overrides.end());
+  config.load(files, settings);
 }
 
 int runApp(CLI::App& app, int argc, char** argv, const std::function<int()>& body) {

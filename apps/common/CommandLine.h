@@ -15,7 +15,8 @@ namespace bslnav {
 struct CommonOptions {
   std::vector<std::string> configs;
   std::vector<std::string> overrides;
-  std::optional<int> method;  ///< none: as the configuration says
+  std::optional<int> method;
+  std::string navigator;  ///< none: as the configuration says
   std::uint64_t seed = 1;
   std::string out;
   bool quiet = false, printConfig = false;

@@ -1,6 +1,7 @@
 #include <bslnav/navigation/Clearance.h>
 #include <bslnav/navigation/InPlaceRotation.h>
 #include <bslnav/navigation/MotionPlanner.h>
+#include <bslnav/planning/DwaPlanner.h>
 #include <gtest/gtest.h>
 #include <mrpt/math/wrap2pi.h>
 
@@ -19,7 +20,9 @@ class MotionPlannerTest : public testing::Test {
  protected:
   explicit MotionPlannerTest(const Footprint& footprint = {})
       : inflation({0.55, 10.0}, footprint.inscribedRadius_m(), kCell_m),
-        planner({}, {}, {}, kLimits, FootprintCover(footprint, kCell_m, inflation), kPeriod_s) {}
+        cover(footprint, kCell_m, inflation),
+        planner({}, {}, std::make_unique<DwaPlanner>(DwaParameters{}, kLimits, cover, kPeriod_s),
+                kLimits, cover, kPeriod_s) {}
 
   void drawPath(double toX, double toY) {
     path.clear();
@@ -55,6 +58,7 @@ class MotionPlannerTest : public testing::Test {
 
   CostGrid base{240, 240, kCell_m, -6.0, -6.0}, costs = base;
   InflationLayer inflation;
+  FootprintCover cover;
   MotionPlanner planner;
   TPose2D pose, goal;
   TTwist2D twist;

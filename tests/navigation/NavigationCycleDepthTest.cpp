@@ -59,7 +59,7 @@ TEST_F(NavigationCycleDepth, FindsWhereTheWallEnds) {
   ASSERT_EQ(record.blindSpots.size(), 1U);
   EXPECT_NEAR(record.blindSpots[0].position.x, 2.5, 0.06);
   EXPECT_EQ(record.dangerZones.size(), 1U);
-  EXPECT_EQ(cycle_.depthFrames().size(), 1U);
+  EXPECT_EQ(cycle_.surroundings().depthFrames().size(), 1U);
 }
 
 TEST_F(NavigationCycleDepth, PutsALateImageWhereItWasTaken) {
@@ -157,7 +157,7 @@ TEST_F(NavigationCycleDepth, IgnoresDepthThatIsNotEnabled) {
   SensorFrame frame = frameAt(0.0);
   frame.depth = {taken(corner_, 0.0)};
   EXPECT_EQ(cycle.step(frame).depthFrames, 0);
-  EXPECT_TRUE(cycle.depthFrames().empty());
+  EXPECT_TRUE(cycle.surroundings().depthFrames().empty());
 }
 
 TEST_F(NavigationCycleDepth, AllocatesNothingInTheSteadyState) {

@@ -149,8 +149,8 @@ TEST(NavigationCycleRange, RangesFromTheConfiguredMaximumOnAreNoObstacles) {
     rig->range_m = [](int) { return 3.5; };
     rig->step();
   }
-  EXPECT_EQ(unlimited.cycle.localCosts().costAt(3.51, 0.0), kLethalCost);
-  EXPECT_EQ(limitedRange.cycle.localCosts().costAt(3.51, 0.0), kFreeCost);
+  EXPECT_EQ(unlimited.cycle.surroundings().localCosts().costAt(3.51, 0.0), kLethalCost);
+  EXPECT_EQ(limitedRange.cycle.surroundings().localCosts().costAt(3.51, 0.0), kFreeCost);
 }
 
 }  // namespace

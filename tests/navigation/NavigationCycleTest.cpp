@@ -61,8 +61,8 @@ TEST(NavigationCycle, DangerZonesRaiseLocalCostsButNotThoseOfTheGlobalPlanner) {
   CycleRig rig(method(2));
   rig.range_m = boxAhead;
   rig.step();  // zone around (2, 0) with a radius of 1 m; (2, −0.8) is free otherwise
-  EXPECT_GT(rig.cycle.localCosts().costAt(2.0, -0.8), 0);
-  EXPECT_EQ(rig.cycle.planningCosts().costAt(2.0, -0.8), 0);
+  EXPECT_GT(rig.cycle.surroundings().localCosts().costAt(2.0, -0.8), 0);
+  EXPECT_EQ(rig.cycle.surroundings().planningCosts().costAt(2.0, -0.8), 0);
 }
 
 TEST(NavigationCycle, BrakesWithoutGoals) {
@@ -169,7 +169,8 @@ TEST(NavigationCycle, GivesTheSameRecordsForTheSameFrames) {
     ASSERT_EQ(a.dangerZones.size(), b.dangerZones.size());
     for (std::size_t k = 0; k < a.dangerZones.size(); ++k)
       ASSERT_EQ(a.dangerZones[k].centre, b.dangerZones[k].centre);
-    ASSERT_EQ(driven.cycle.localCosts().data(), replayed.localCosts().data());
+    ASSERT_EQ(driven.cycle.surroundings().localCosts().data(),
+              replayed.surroundings().localCosts().data());
   }
   EXPECT_GT(driven.pose.x, 0.5);  // it did drive
 }

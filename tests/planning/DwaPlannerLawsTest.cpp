@@ -1,4 +1,5 @@
 #include <bslnav/planning/DwaPlanner.h>
+#include <bslnav/planning/DynamicWindow.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 

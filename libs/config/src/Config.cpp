@@ -109,19 +109,31 @@ void Config::loadFile(const std::string& file) {
   checkIniLines(file);
   try {
     const mrpt::config::CConfigFile ini(file);
-    std::vector<std::string> names, keys;
+    std::vector<std::string> names;
     ini.getAllSections(names);
-    for (const auto& name : names) {
-      if (name.empty()) continue;  // MRPT's place for keys before any section: there are none
-      section(file, name);
-      ini.getAllKeys(name, keys);
-      for (const auto& key : keys) set(file, name, key, ini.read_string(name, key, ""));
-    }
+    for (const auto& name : names)
+      if (!name.empty())  // MRPT's place for keys before any section: there are none
+        loadSection(ini, file, name);
   } catch (const Error&) {
     throw;
   } catch (const std::exception& problem) {
     throw Error(file, std::string("not a readable INI file: ") + problem.what());
   }
+}
+
+void Config::loadSection(const mrpt::config::CConfigFileBase& ini, const std::string& where,
+                         const std::string& name) {
+  section(where, name);
+  std::vector<std::string> keys;
+  ini.getAllKeys(name, keys);
+  for (const auto& key : keys) set(where, name, key, ini.read_string(name, key, ""));
+}
+
+void Config::loadOwnSections(const mrpt::config::CConfigFileBase& file, const std::string& name) {
+  std::vector<std::string> names;
+  file.getAllSections(names);
+  for (const auto& own : names)
+    if (findOrMakeSection(own)) loadSection(file, name, own);
 }
 
 void Config::load(const std::vector<std::string>& files,
@@ -147,6 +159,11 @@ void Config::print(std::ostream& out) const {
     ConfigSection example(repeated.kind + ":NAME", repeated.description);
     repeated.withDefaults(example, [&] { printSection(example, "; ", out); });
   }
+}
+
+void Config::copyTo(mrpt::config::CConfigFileBase& file) const {
+  for (const auto& section : sections_)
+    for (const auto& field : section.fields()) file.write(section.name(), field.key, field.write());
 }
 
 void Config::refuse(const std::string& section, const std::string& key,

@@ -136,7 +136,7 @@ PictureTile costTile(const CycleRecord& record, const CostGrid& costs, const Foo
 
 DepthStagePage::DepthStagePage(const CycleRecord& record, const NavigationCycle& cycle,
                                const NavigationParameters& parameters)
-    : stages_(depthStages(cycle.depthFrames(), parameters.depthClusters)) {
+    : stages_(depthStages(cycle.surroundings().depthFrames(), parameters.depthClusters)) {
   const ClusteredCloud& kept = stages_.clustered;
   const double half_m = 0.5 * parameters.depthClusters.leaf_m;
   const MapBounds bounds = boundsOf(stages_.voxels);
@@ -156,7 +156,8 @@ DepthStagePage::DepthStagePage(const CycleRecord& record, const NavigationCycle&
       p.disc(record.mapFromRobot.inverseComposePoint(zone.centre), zone.radius_m,
              style::kDangerZone, "danger zone");
   });
-  tiles.tiles.push_back(costTile(record, cycle.localCosts(), parameters.footprint, bounds));
+  tiles.tiles.push_back(
+      costTile(record, cycle.surroundings().localCosts(), parameters.footprint, bounds));
   char title[96];
   std::snprintf(title, sizeof title,
                 "From depth to danger zones, t = %.1f s, %.2f m/s (robot frame)", record.time_s,

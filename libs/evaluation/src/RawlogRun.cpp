@@ -94,9 +94,8 @@ std::string warnings(const RawlogFindings& findings) {
 }  // namespace
 
 mrpt::math::TTwist2D chosenVelocity(const CycleRecord& record) {
-  if (!record.motion.planned || record.dwa.best < 0) return record.motion.command;
-  const Candidate& best = record.dwa.candidates[static_cast<std::size_t>(record.dwa.best)];
-  return best.twist();
+  return record.motion.planned && record.dwa.best >= 0 ? record.dwa.chosenVelocity()
+                                                       : record.motion.command;
 }
 
 LocalizedLog localizeLog(const RawlogSetup& setup, std::uint64_t seed) {

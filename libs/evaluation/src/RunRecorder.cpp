@@ -145,7 +145,8 @@ void RunRecorder::write(const CycleRecord& r, const mrpt::math::TPose2D& truePos
              r.beams, r.droppedBeams, r.blindSpots.size(), int{r.replanned}, r.path.size())
       << chosenCandidate(r) << row(",%.4f,%.4f\n", r.twist.vy, r.motion.command.vy);
   if (!candidates_.is_open() || !r.motion.planned) return;
-  static constexpr const char* kVerdicts[] = {"admissible", "obstacle", "unknown", "oscillation"};
+  static constexpr const char* kVerdicts[] = {"admissible", "obstacle", "unknown", "oscillation",
+                                              "out_of_window"};
   for (const Candidate& c : r.dwa.candidates)
     candidates_ << row("%d,%.4f,%.5f,%s,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f\n", r.index, c.v_mps,
                        c.w_radps, kVerdicts[static_cast<int>(c.verdict)], c.terms.path,

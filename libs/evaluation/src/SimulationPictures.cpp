@@ -12,7 +12,7 @@ SimulationPictures::SimulationPictures(const SimulationSetup& setup,
 void SimulationPictures::observe(const SimulationMoment& moment) {
   trace_.observe(moment, setup_.pictures.snapshots_s);
   const auto& due = setup_.pictures.depthStages_s;
-  if (depthStages_.size() < due.size() && !moment.cycle.depthFrames().empty() &&
+  if (depthStages_.size() < due.size() && !moment.cycle.surroundings().depthFrames().empty() &&
       moment.record.time_s >= due[depthStages_.size()] - 1e-6)
     depthStages_.emplace_back(moment.record, moment.cycle, setup_.navigation);
 }

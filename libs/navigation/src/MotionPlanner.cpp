@@ -1,6 +1,7 @@
 #include <bslnav/navigation/Clearance.h>
 #include <bslnav/navigation/InPlaceRotation.h>
 #include <bslnav/navigation/MotionPlanner.h>
+#include <bslnav/planning/PathDistance.h>
 #include <mrpt/math/wrap2pi.h>
 
 #include <cmath>
@@ -31,18 +32,18 @@ void MotionParameters::describe(ConfigSection& section) {
 }
 
 MotionPlanner::MotionPlanner(const MotionParameters& parameters, const RecoveryParameters& recovery,
-                             const DwaParameters& dwa, const RobotLimits& limits,
+                             std::unique_ptr<LocalPlanner> planner, const RobotLimits& limits,
                              const FootprintCover& footprint, double controlPeriod_s)
     : parameters_(parameters),
       recoveryParameters_(recovery),
       limits_(limits),
       footprint_(footprint),
       controlPeriod_s_(controlPeriod_s),
-      planner_(dwa, limits, footprint, controlPeriod_s),
+      planner_(std::move(planner)),
       recovery_(recovery) {}
 
 void MotionPlanner::reset() {
-  planner_.reset();
+  planner_->reset();
   recovery_.reset();
   recoveryStep_ = Recovery::Step::None;
   blocked_ = stepDone_ = stopping_ = atGoal_ = turning_ = backingOff_ = false;
@@ -127,9 +128,9 @@ Motion MotionPlanner::follow(const Input& input, const CostGrid& costs) {
   const bool stops = input.passWithin_m == 0.0;
   const bool atEnd = (localGoal - input.path.back()).norm() < 1e-9;
   const double tolerance_m = stops ? parameters_.goalTolerance_m : input.passWithin_m;
-  dwa_ = &planner_.plan({input.mapFromRobot, input.commandBase, input.path, localGoal,
-                         atEnd ? tolerance_m : 0.0, atEnd && stops},
-                        costs);
+  dwa_ = &planner_->plan({input.mapFromRobot, input.commandBase, input.path, localGoal,
+                          atEnd ? tolerance_m : 0.0, atEnd && stops},
+                         costs);
   motion.mode = MotionMode::Follow;
   motion.planned = true;
   motion.localGoal = localGoal;

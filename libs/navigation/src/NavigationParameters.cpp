@@ -46,6 +46,7 @@ void NavigationParameters::bind(Config& config) {
               depthClusters);
   config.bind("danger_zone", "The cost around a blind spot (paper IV-B, table I).", dangerZone);
   config.bind("global_planner", "A* on static, obstacle and inflation costs.", globalPlanner);
+  config.bind("navigator", "The engine that chooses velocities.", navigator);
   config.bind("dwa", "Dynamic window approach with the paper's cost function (eq. 10, table I).",
               dwa);
   config.bind("motion", "Along the path and at the goal.", motion);

@@ -9,6 +9,10 @@
 #include <string>
 #include <vector>
 
+namespace mrpt::config {
+class CConfigFileBase;
+}
+
 namespace bslnav {
 
 /** The strict configuration of one program: its sections, loaded from INI files and command-line
@@ -48,9 +52,18 @@ class Config {
    * out of range. */
   void load(const std::vector<std::string>& files, const std::vector<std::string>& overrides = {});
 
+  /** Loads the sections that this object has from a configuration of MRPT's; what else is in it is
+   * MRPT's own.
+   *  @param name of it, for messages
+   *  @throws Error as load() does */
+  void loadOwnSections(const mrpt::config::CConfigFileBase& file, const std::string& name);
+
   /** Writes every section and key with description, unit, default and accepted values; the output
    * can be loaded again. Repeated sections without an entry are shown as comments. */
   void print(std::ostream& out) const;
+
+  /** Writes every section and key with its value into a configuration of MRPT's. */
+  void copyTo(mrpt::config::CConfigFileBase& file) const;
 
   /** Checks of more than one key: called by the parameters' owner; throws Error naming section and
    * key. */
@@ -71,6 +84,8 @@ class Config {
   void set(const std::string& where, const std::string& section, const std::string& key,
            const std::string& value);
   void loadFile(const std::string& file);
+  void loadSection(const mrpt::config::CConfigFileBase& ini, const std::string& where,
+                   const std::string& name);
 
   std::deque<ConfigSection> sections_;  // a deque keeps references valid while it grows
   std::vector<Repeated> repeated_;

@@ -14,7 +14,7 @@ namespace bslnav {
 class DepthStagePage {
  public:
   /** Draws the page now: cloud, voxels, without ground, clusters, boundaries, cost map.
-   * @param cycle has depth images: cycle.depthFrames() is not empty */
+   * @param cycle has depth images: cycle.surroundings().depthFrames() is not empty */
   DepthStagePage(const CycleRecord& record, const NavigationCycle& cycle,
                  const NavigationParameters& parameters);
 

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <bslnav/navigation/Recovery.h>
-#include <bslnav/planning/DwaPlanner.h>
+#include <bslnav/planning/FootprintCover.h>
+#include <bslnav/planning/LocalPlanner.h>
+#include <bslnav/planning/RobotLimits.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -42,12 +45,12 @@ struct Motion {
   mrpt::math::TPoint2D localGoal;  ///< map frame
 };
 
-/** Moves along a path to a goal: the DWA, with what it cannot do by itself (turning on the spot to
- * the path and to the final heading, stopping at the goal, recovery). */
+/** Moves along a path to a goal: a local planner, with what it cannot do by itself (turning on the
+ * spot to the path and to the final heading, stopping at the goal, recovery). */
 class MotionPlanner {
  public:
   MotionPlanner(const MotionParameters& parameters, const RecoveryParameters& recovery,
-                const DwaParameters& dwa, const RobotLimits& limits,
+                std::unique_ptr<LocalPlanner> planner, const RobotLimits& limits,
                 const FootprintCover& footprint, double controlPeriod_s);
 
   struct Input {
@@ -64,7 +67,7 @@ class MotionPlanner {
 
   /** Whether recovery wants a new path; true for one cycle. */
   bool wantsReplan() const { return recoveryStep_ == Recovery::Step::Replan; }
-  /** The DWA's result of the last cycle in which Motion::planned was true. */
+  /** The local planner's result of the last cycle in which Motion::planned was true. */
   const DwaResult& dwa() const { return *dwa_; }
   /** Starts afresh: after a new goal. */
   void reset();
@@ -84,7 +87,7 @@ class MotionPlanner {
   RobotLimits limits_;
   FootprintCover footprint_;
   double controlPeriod_s_;
-  DwaPlanner planner_;
+  std::unique_ptr<LocalPlanner> planner_;
   Recovery recovery_;
   Recovery::Step recoveryStep_ = Recovery::Step::None;
   bool blocked_ = false, stepDone_ = false, turning_ = false;

@@ -7,6 +7,8 @@
 #include <bslnav/costmap/DepthScan.h>
 #include <bslnav/costmap/LayeredCostmap.h>
 #include <bslnav/navigation/MotionPlanner.h>
+#include <bslnav/navigation/NavigatorParameters.h>
+#include <bslnav/planning/DwaParameters.h>
 #include <bslnav/planning/GlobalPlanner.h>
 
 #include <string>
@@ -61,6 +63,7 @@ struct NavigationParameters {
   DepthClusterParameters depthClusters;
   DangerZoneParameters dangerZone;
   GlobalPlannerParameters globalPlanner;
+  NavigatorParameters navigator;
   DwaParameters dwa;
   MotionParameters motion;
   RecoveryParameters recovery;

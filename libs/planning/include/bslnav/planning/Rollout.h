@@ -49,7 +49,23 @@ inline RolloutOutcome rollOut(double v_mps, double w_radps, const RolloutSetup& 
   return rollOut({v_mps, 0.0, w_radps}, setup, costs, footprint);
 }
 
-/** The poses of the same rollout, for pictures: start first. */
+/** A path in the robot's frame as poses from the start on, nowhere farther apart than a cell of the
+ * grid that it is rolled out on; arrays of equal length. */
+struct SampledPath {
+  std::vector<float> x_m, y_m, cosine, sine;  ///< of the heading
+  std::vector<float> distance_m;              ///< driven so far; from 0 on, growing
+
+  void clear();
+  void add(const mrpt::math::TPose2D& pose, double drivenSoFar_m);
+  std::size_t size() const { return x_m.size(); }
+};
+
+/** Drives along a path until `reach_m` of it, its end, the goal or an obstacle. The path must have
+ * two poses at least. */
+RolloutOutcome rollOut(const SampledPath& path, double reach_m, const RolloutSetup& setup,
+                       const CostGrid& costs, const FootprintCover& footprint);
+
+/** The poses of the rollout of a constant velocity, for pictures: start first. */
 std::vector<mrpt::math::TPose2D> rolloutPoses(const mrpt::math::TTwist2D& twist,
                                               const RolloutSetup& setup, int steps,
                                               const CostGrid& costs);
