@@ -83,7 +83,7 @@ void printSummary(std::ostream& out, const std::string& name, const RunSummary& 
 
 std::string progressLine(const CycleRecord& record) {
   return text("t = %.1f s", record.time_s) + text(", x = %.2f m", record.mapFromRobot.x) +
-         text(", y = %.2f m", record.mapFromRobot.y) + text(", %.2f m/s", record.twist.vx);
+         text(", y = %.2f m", record.mapFromRobot.y) + text(", %.2f m/s", speedOf(record.twist));
 }
 
 int exitCodeOf(const RunSummary& summary) {

@@ -1,3 +1,6 @@
+#include <cmath>
+#include <sstream>
+
 #include "AppTest.h"
 
 namespace bslnav::test {
@@ -51,6 +54,23 @@ TEST_P(DepthMethodRun, ReachesTheGoalWithoutContact) {
 INSTANTIATE_TEST_SUITE_P(Scenarios, DepthMethodRun,
                          testing::Values("s1.ini", "s2.ini", "e1.ini", "e2.ini"),
                          [](const auto& test) { return std::string(test.param).substr(0, 2); });
+
+TEST_F(SimulatedRun, AHolonomicRobotReachesTheGoalOfS1) {
+  const std::string robot = std::string(BSLNAV_SOURCE_DIR) + "/config/robots/holonomic.ini";
+  const AppResult result = drive(kS1, {robot, "--method", "4"});
+  EXPECT_EQ(result.exitCode, 0) << result.err;
+  EXPECT_EQ(summary()["outcome"], "goal");
+  EXPECT_EQ(summary()["contact"], false);
+  EXPECT_GT(summary()["time_to_goal_s"], 17.1);  // 9.5 m at 2.0 km/h, in whatever direction
+  EXPECT_LT(summary()["time_to_goal_s"], 25.0);
+  std::istringstream rows(readFile(out("cycles.csv")));
+  double mostAside_mps = 0.0;
+  std::string row;
+  for (std::getline(rows, row); std::getline(rows, row);)  // its last column, the lateral command
+    mostAside_mps = std::max(mostAside_mps, std::abs(std::stod(row.substr(row.rfind(',') + 1))));
+  EXPECT_GT(mostAside_mps, 0.02);
+  EXPECT_LE(mostAside_mps, 0.3);
+}
 
 TEST_F(SimulatedRun, SummaryHasEveryKeyThatIsPromised) {
   ASSERT_EQ(drive(write("room.ini", kRoom), {"--method", "2", "--seed", "7"}).exitCode, 0);

@@ -50,8 +50,8 @@ TEST_F(RunRecorderTest, CycleRowTellsPoseVelocityCommandAndReason) {
   record.index = 3;
   record.time_s = 0.3;
   record.mapFromRobot = {1.0, -2.0, 0.5};
-  record.twist = {0.25, 0.0, -0.125};
-  record.motion.command = {0.3, 0.0, 0.1};
+  record.twist = {0.25, 0.0625, -0.125};
+  record.motion.command = {0.3, -0.25, 0.1};
   record.motion.mode = MotionMode::Follow;
   record.motion.blocked = true;
   record.beams = 683;
@@ -64,7 +64,7 @@ TEST_F(RunRecorderTest, CycleRowTellsPoseVelocityCommandAndReason) {
   recorder.finish({});
   EXPECT_EQ(linesOf(directory + "/cycles.csv")[1],
             "3,0.300,1.0000,-2.0000,0.50000,1.5000,-2.5000,0.75000,0.2500,-0.12500,0.3000,0.10000,"
-            "follow,ok,no admissible velocity,683,5,2,1,40,,,,,,,,");
+            "follow,ok,no admissible velocity,683,5,2,1,40,,,,,,,,,0.0625,-0.2500");
 }
 
 TEST_F(RunRecorderTest, CandidatesHaveOneRowEach) {
@@ -73,6 +73,7 @@ TEST_F(RunRecorderTest, CandidatesHaveOneRowEach) {
   CycleRecord record;
   record.dwa.candidates.resize(5);
   record.dwa.candidates[1].v_mps = 0.5;
+  record.dwa.candidates[1].vy_mps = -0.125;
   record.dwa.candidates[1].verdict = Candidate::Verdict::Obstacle;
   recorder.write(record, {});  // not planned in this cycle: the candidates are old ones
   record.index = 1;
@@ -81,7 +82,7 @@ TEST_F(RunRecorderTest, CandidatesHaveOneRowEach) {
   recorder.finish({});
   const auto lines = linesOf(directory + "/candidates.csv");
   ASSERT_EQ(lines.size(), 6u);
-  EXPECT_EQ(lines[2], "1,0.5000,0.00000,obstacle,0.0000,0.0000,0.0000,0.0000,0.0000");
+  EXPECT_EQ(lines[2], "1,0.5000,0.00000,obstacle,0.0000,0.0000,0.0000,0.0000,0.0000,-0.1250");
 }
 
 TEST_F(RunRecorderTest, ConfigurationCanBeLoadedAgainAndSaysTheSame) {

@@ -88,6 +88,20 @@ TEST(SimulationSetup, RefusesAMissingMapFileAndAParticleFilterWithoutAMap) {
   EXPECT_THAT(errorOf([&] { runSimulation(setup, 1); }), HasSubstr("[localization] source"));
 }
 
+TEST(SimulationSetup, RefusesLateralMotionOfABaseThatCannot) {
+  SimulationSetup setup = hall();
+  setup.navigation.dwa.lateralSamples = 5;
+  setup.navigation.limits.maxLateralSpeed_mps = 0.3;
+  EXPECT_THAT(errorOf([&] { setup.check(); }), HasSubstr("[limits] max_lateral_speed_mps"));
+  setup.simulatedRobot.kinematics = BaseKinematics::Holonomic;
+  EXPECT_EQ(errorOf([&] { setup.check(); }), "");
+  setup.navigation.limits.maxLateralSpeed_mps = 1.5;  // the base does 1.0 m/s
+  EXPECT_THAT(errorOf([&] { setup.check(); }), HasSubstr("[limits] max_lateral_speed_mps"));
+  setup.navigation.limits.maxLateralSpeed_mps = 0.3;
+  setup.navigation.dwa.lateralSamples = 1;
+  EXPECT_THAT(errorOf([&] { setup.check(); }), HasSubstr("[dwa] lateral_samples"));
+}
+
 TEST(SimulationSetup, RefusesAStartInCollision) {
   SimulationSetup setup = hall();
   setup.scenario.start = {0.0, 1.8, 0.0};  // 0.15 m from the wall's face, radius 0.25 m

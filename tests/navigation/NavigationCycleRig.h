@@ -80,11 +80,13 @@ class CycleRig {
     const auto& command = record.motion.command;
     const auto allowed = limited(command, twist, limits_, kPeriod_s);
     EXPECT_NEAR(command.vx, allowed.vx, 1e-9) << "at " << time_s;
+    EXPECT_NEAR(command.vy, allowed.vy, 1e-9) << "at " << time_s;
     EXPECT_NEAR(command.omega, allowed.omega, 1e-9) << "at " << time_s;
     twist = command;
     const double middle = pose.phi + 0.5 * twist.omega * kPeriod_s;
-    pose.x += twist.vx * kPeriod_s * std::cos(middle);
-    pose.y += twist.vx * kPeriod_s * std::sin(middle);
+    const double ahead = twist.vx * kPeriod_s, left = twist.vy * kPeriod_s;
+    pose.x += ahead * std::cos(middle) - left * std::sin(middle);
+    pose.y += ahead * std::sin(middle) + left * std::cos(middle);
     pose.phi += twist.omega * kPeriod_s;
     time_s += kPeriod_s;
     return record;

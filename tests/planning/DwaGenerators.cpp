@@ -6,6 +6,19 @@ namespace bslnav::test {
 
 using mrpt::math::TPose2D;
 
+RobotLimits anyHolonomicLimits() {
+  RobotLimits limits = anyLimits();
+  limits.maxLateralSpeed_mps = any(0.1, limits.maxSpeed_mps);
+  return limits;
+}
+
+mrpt::math::TTwist2D anyTwist(const RobotLimits& limits) {
+  const double side = limits.maxLateralSpeed_mps, top = limits.maxSpeed_mps;
+  const double vy = side > 0.0 ? any(-side, side) : 0.0;
+  const double vx = std::sqrt(top * top - vy * vy);
+  return {any(-vx, vx), vy, any(-limits.maxYawRate_radps, limits.maxYawRate_radps)};
+}
+
 RolloutSetup anySetup() {
   RolloutSetup setup;
   setup.start = {any(-1.0, 1.0), any(-1.0, 1.0), any(-M_PI, M_PI)};
@@ -22,6 +35,20 @@ TPose2D onArc(const TPose2D& start, double v, double w, double t) {
   const double r = v / w, phi = start.phi + w * t;
   return {start.x + r * (std::sin(phi) - std::sin(start.phi)),
           start.y - r * (std::cos(phi) - std::cos(start.phi)), phi};
+}
+
+TPose2D onArc(const TPose2D& start, const mrpt::math::TTwist2D& twist, double t) {
+  const double w = twist.omega;
+  if (std::abs(w) < 1e-6) {
+    const double c = std::cos(start.phi), s = std::sin(start.phi);
+    return {start.x + t * (c * twist.vx - s * twist.vy),
+            start.y + t * (s * twist.vx + c * twist.vy), start.phi};
+  }
+  // The integrals of cosine and sine of the heading, turned by it.
+  const double phi = start.phi + w * t;
+  const double c = (std::sin(phi) - std::sin(start.phi)) / w;
+  const double s = (std::cos(start.phi) - std::cos(phi)) / w;
+  return {start.x + c * twist.vx - s * twist.vy, start.y + s * twist.vx + c * twist.vy, phi};
 }
 
 CostGrid freeSpace() { return CostGrid(240, 240, 0.05, -6.0, -6.0); }

@@ -16,17 +16,20 @@ inline RobotLimits anyLimits() {
   return {any(0.2, 2.0), any(0.3, 2.0), any(0.1, 3.0), any(0.1, 3.0), any(0.3, 6.0)};
 }
 
+/** Limits of a robot that can move sideways. */
+RobotLimits anyHolonomicLimits();
+
 /** A twist within the limits, forwards or backwards. */
-inline mrpt::math::TTwist2D anyTwist(const RobotLimits& limits) {
-  return {any(-limits.maxSpeed_mps, limits.maxSpeed_mps), 0.0,
-          any(-limits.maxYawRate_radps, limits.maxYawRate_radps)};
-}
+mrpt::math::TTwist2D anyTwist(const RobotLimits& limits);
 
 /** Start near the origin, any horizon and step. */
 RolloutSetup anySetup();
 
 /** Where a constant velocity leads to in a time, by the textbook. */
 mrpt::math::TPose2D onArc(const mrpt::math::TPose2D& start, double v, double w, double t);
+/** The same with lateral motion. */
+mrpt::math::TPose2D onArc(const mrpt::math::TPose2D& start, const mrpt::math::TTwist2D& twist,
+                          double t);
 
 /** 12 m × 12 m around the origin, free. */
 CostGrid freeSpace();

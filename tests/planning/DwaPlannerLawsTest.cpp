@@ -15,9 +15,10 @@ using Verdict = Candidate::Verdict;
 
 constexpr double kPeriod_s = 0.1;
 
-/** A robot near the origin of a cluttered map with a path along x, a circle or a rectangle. */
+/** A robot near the origin of a cluttered map with a path along x, a circle or a rectangle; every
+ * other one can move sideways. */
 struct Scene {
-  RobotLimits limits = test::anyLimits();
+  RobotLimits limits = *rc::gen::arbitrary<bool>() ? test::anyHolonomicLimits() : test::anyLimits();
   Footprint footprint = *rc::gen::element(Footprint{0.2}, test::rectangle(0.5, 0.3));
   InflationLayer inflation{{0.5, 8.0}, footprint.inscribedRadius_m(), 0.05};
   CostGrid base = test::scattered(25);
@@ -30,6 +31,7 @@ struct Scene {
   Scene() {
     parameters.speedSamples = 8;
     parameters.yawRateSamples = 11;
+    parameters.lateralSamples = 3;
     parameters.allowUnknown = *rc::gen::arbitrary<bool>();
     parameters.weights.velocity = *rc::gen::element(0.0, 0.5);
   }
@@ -48,7 +50,9 @@ RC_GTEST_PROP(DwaPlannerLaw, CommandsStayInTheWindowAndTheLimits, ()) {
   const auto allowed = limited(result.command, scene.twist, scene.limits, kPeriod_s);
   RC_CLASSIFY(result.status == DwaResult::Status::Ok, "admissible");
   RC_ASSERT(std::abs(allowed.vx - result.command.vx) < 1e-9);
+  RC_ASSERT(std::abs(allowed.vy - result.command.vy) < 1e-9);
   RC_ASSERT(std::abs(allowed.omega - result.command.omega) < 1e-9);
+  if (scene.limits.maxLateralSpeed_mps > 0.0) return;  // the window is one of vx and vy by itself
   RC_ASSERT(result.command.vx >= window.vMin - 1e-9);
   RC_ASSERT(result.command.vx <= window.vMax + 1e-9);
   RC_ASSERT(
@@ -109,16 +113,17 @@ void expectSame(const DwaResult& a, const DwaResult& b) {
   int different = 0;
   for (std::size_t i = 0; i < a.candidates.size(); ++i) {
     const Candidate &p = a.candidates[i], &q = b.candidates[i];
-    RC_ASSERT((p.v_mps == q.v_mps && p.w_radps == q.w_radps) ||
-              std::hypot(p.v_mps - q.v_mps, p.w_radps - q.w_radps) < 1e-9);
+    RC_ASSERT(std::abs(p.v_mps - q.v_mps) < 1e-9 && std::abs(p.vy_mps - q.vy_mps) < 1e-9 &&
+              std::abs(p.w_radps - q.w_radps) < 1e-9);
     different += p.verdict != q.verdict || std::abs(p.total - q.total) > 1e-3;
   }
-  RC_ASSERT(different <= 4);  // of 88
+  RC_ASSERT(different * 22 <= static_cast<int>(a.candidates.size()));  // 4 of 88
   if (different == 0 && a.best != b.best) {
     const auto total = [](const DwaResult& r) {
       return r.candidates[static_cast<std::size_t>(r.best)].total;
     };
-    RC_ASSERT(std::abs(total(a) - total(b)) < 2e-3);  // a tie
+    // a tie; with lateral motion, of those that lead the same way
+    RC_ASSERT(std::abs(total(a) - total(b)) < (a.candidates.size() > 88 ? 2.2e-2 : 2e-3));
   }
 }
 

@@ -116,7 +116,7 @@ RC_GTEST_PROP(RolloutLaw, ItsPosesAreThoseOfTheArc, ()) {
   const RolloutSetup setup = anySetup();
   const double v = any(0.0, 1.0), w = any(-2.0, 2.0);
   const int steps = rollOut(v, w, setup, grid, circle()).steps;
-  const auto poses = rolloutPoses(v, w, setup, steps, grid);
+  const auto poses = rolloutPoses({v, 0.0, w}, setup, steps, grid);
   RC_ASSERT(poses.size() == static_cast<std::size_t>(steps) + 1);
   for (int i = 0; i <= steps; ++i) {
     const TPose2D expected = onArc(setup.start, v, w, i * setup.horizon_s / steps);

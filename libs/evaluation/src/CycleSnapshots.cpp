@@ -14,8 +14,7 @@ using mrpt::math::TPoint2D;
 std::vector<TPoint2D> rolloutOf(const Candidate& candidate, const DwaResult& dwa,
                                 const CostGrid& costs) {
   std::vector<TPoint2D> points;
-  for (const auto& pose :
-       rolloutPoses(candidate.v_mps, candidate.w_radps, dwa.setup, candidate.steps, costs))
+  for (const auto& pose : rolloutPoses(candidate.twist(), dwa.setup, candidate.steps, costs))
     points.emplace_back(pose.x, pose.y);
   return points;
 }
@@ -78,7 +77,8 @@ void CycleSnapshots::add(const CycleSnapshot& snapshot, const MapBounds& limits)
   drawSnapshot(picture, snapshot, footprint_);
 
   char caption[64];
-  std::snprintf(caption, sizeof caption, "t = %.1f s, %.2f m/s", record.time_s, record.twist.vx);
+  std::snprintf(caption, sizeof caption, "t = %.1f s, %.2f m/s", record.time_s,
+                speedOf(record.twist));
   tiles_.push_back({picture.finished(), caption});
   Picture legend = picture.legend(2 * kWidth_px);
   if (legend.height >= legend_.height) legend_ = std::move(legend);

@@ -161,7 +161,7 @@ DepthStagePage::DepthStagePage(const CycleRecord& record, const NavigationCycle&
   char title[96];
   std::snprintf(title, sizeof title,
                 "From depth to danger zones, t = %.1f s, %.2f m/s (robot frame)", record.time_s,
-                record.twist.vx);
+                speedOf(record.twist));
   page_ = tiled(tiles.tiles, 3, title, legendOf(bounds));
 }
 

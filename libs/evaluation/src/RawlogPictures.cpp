@@ -49,8 +49,8 @@ RawlogPictures::RawlogPictures(const RawlogSetup& setup, const LocalizedLog& log
 void RawlogPictures::observe(const RawlogMoment& moment) {
   const CycleRecord& record = moment.record;
   time_s_.push_back(record.time_s);
-  recorded_mps_.push_back(record.twist.vx);
-  chosen_mps_.push_back(chosenVelocity(record).vx);
+  recorded_mps_.push_back(speedOf(record.twist, setup_.navigation.limits));
+  chosen_mps_.push_back(speedOf(chosenVelocity(record)));
   recorded_radps_.push_back(record.twist.omega);
   chosen_radps_.push_back(chosenVelocity(record).omega);
   blindSpots_.push_back(static_cast<double>(record.blindSpots.size()));

@@ -82,9 +82,9 @@ struct Comparison {
   double speed = 0.0, yawRate = 0.0, slower = 0.0;
   long cycles = 0;
 
-  void add(const CycleRecord& record) {
+  void add(const CycleRecord& record, const RobotLimits& limits) {
     const auto chosen = chosenVelocity(record);
-    const double difference = chosen.vx - record.twist.vx;
+    const double difference = speedOf(chosen) - speedOf(record.twist, limits);
     speed += std::abs(difference);
     yawRate += std::abs(chosen.omega - record.twist.omega);
     slower += difference <= -0.1;
@@ -168,10 +168,11 @@ RunSummary evaluateLog(const RawlogSetup& setup, const LocalizedLog& log, std::u
     if (!setup.repeatsRun())
       cycle.setGoals({log.path.goalAhead(frame.time_s, setup.rawlog.goalAhead_s)});
     const CycleRecord& record = cycle.step(frame);
-    metrics.add(record, {frame.mapFromRobot.x, frame.mapFromRobot.y}, frame.twist.vx,
+    metrics.add(record, {frame.mapFromRobot.x, frame.mapFromRobot.y},
+                speedOf(frame.twist, navigation.limits),
                 frame.afterGap ? 0.0 : frame.time_s - last_s);
     last_s = frame.time_s;
-    comparison.add(record);
+    comparison.add(record, navigation.limits);
     findings.wall_s += watch.Tac();
     const double recorded_s = log.findings.recorded_s;
     const double progress = recorded_s > 0.0 ? frame.time_s / recorded_s : 1.0;  // a single frame

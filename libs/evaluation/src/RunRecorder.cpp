@@ -20,9 +20,9 @@ constexpr const char* kCyclesHeader =
     "command_speed_mps,command_yaw_rate_radps,mode,health,reason,beams,dropped_beams,blind_spots,"
     "replanned,path_points,"
     "candidates_admissible,chosen_speed_mps,chosen_yaw_rate_radps,c_pos_m,c_gol_m,c_dan,c_vel_spm,"
-    "cost\n";
+    "cost,lateral_mps,command_lateral_mps\n";
 constexpr const char* kCandidatesHeader =
-    "cycle,speed_mps,yaw_rate_radps,verdict,c_pos_m,c_gol_m,c_dan,c_vel_spm,cost\n";
+    "cycle,speed_mps,yaw_rate_radps,verdict,c_pos_m,c_gol_m,c_dan,c_vel_spm,cost,lateral_mps\n";
 
 std::string row(const char* format, ...) __attribute__((format(printf, 1, 2)));
 std::string row(const char* format, ...) {
@@ -143,14 +143,14 @@ void RunRecorder::write(const CycleRecord& r, const mrpt::math::TPose2D& truePos
              truePose.y, truePose.phi, r.twist.vx, r.twist.omega, r.motion.command.vx,
              r.motion.command.omega, nameOf(r.motion.mode), nameOf(r.health), reasonOf(r).c_str(),
              r.beams, r.droppedBeams, r.blindSpots.size(), int{r.replanned}, r.path.size())
-      << chosenCandidate(r) << '\n';
+      << chosenCandidate(r) << row(",%.4f,%.4f\n", r.twist.vy, r.motion.command.vy);
   if (!candidates_.is_open() || !r.motion.planned) return;
   static constexpr const char* kVerdicts[] = {"admissible", "obstacle", "unknown", "oscillation",
                                               "out_of_window"};
   for (const Candidate& c : r.dwa.candidates)
-    candidates_ << row("%d,%.4f,%.5f,%s,%.4f,%.4f,%.4f,%.4f,%.4f\n", r.index, c.v_mps, c.w_radps,
-                       kVerdicts[static_cast<int>(c.verdict)], c.terms.path, c.terms.goal,
-                       c.terms.danger, c.terms.velocity, c.total);
+    candidates_ << row("%d,%.4f,%.5f,%s,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f\n", r.index, c.v_mps,
+                       c.w_radps, kVerdicts[static_cast<int>(c.verdict)], c.terms.path,
+                       c.terms.goal, c.terms.danger, c.terms.velocity, c.total, c.vy_mps);
 }
 
 void RunRecorder::finish(const RunSummary& summary) {

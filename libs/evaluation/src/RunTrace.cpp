@@ -1,4 +1,5 @@
 #include <bslnav/evaluation/RunTrace.h>
+#include <bslnav/planning/RobotLimits.h>
 
 namespace bslnav {
 
@@ -9,8 +10,8 @@ void RunTrace::observe(const SimulationMoment& moment, const std::vector<double>
       positions.empty() ? 0.0 : distance_m.back() + (position - positions.back()).norm());
   positions.push_back(position);
   time_s.push_back(truth.time_s);
-  speed_mps.push_back(truth.twist.vx);
-  command_mps.push_back(moment.record.motion.command.vx);
+  speed_mps.push_back(speedOf(truth.twist));
+  command_mps.push_back(speedOf(moment.record.motion.command));
   clearance_m.push_back(truth.clearanceToPeople_m);
   walks.resize(truth.people.size());
   walkStarts.resize(truth.people.size());

@@ -67,8 +67,10 @@ bool isOver(const CycleRecord& record, const SimulationState& truth, const Simul
 /** Commands the robot to a standstill, within its limits. */
 void stopRobot(Simulator& simulator, const NavigationParameters& navigation) {
   const double period_s = navigation.cycle.period_s;
-  for (int i = 0;
-       i < 100 && std::hypot(simulator.state().twist.vx, simulator.state().twist.omega) > 1e-3; ++i)
+  const auto isMoving = [](const mrpt::math::TTwist2D& twist) {
+    return std::hypot(speedOf(twist), twist.omega) > 1e-3;
+  };
+  for (int i = 0; i < 100 && isMoving(simulator.state().twist); ++i)
     simulator.step(brake(simulator.state().twist, navigation.limits, period_s), period_s);
 }
 
@@ -100,7 +102,7 @@ RunSummary runSimulation(const SimulationSetup& setup, std::uint64_t seed,
       sense(simulator, localization.get(), frame);
       const CycleRecord& record = cycle.step(frame);
       const SimulationState& truth = simulator.state();
-      metrics.add(record, {truth.pose.x, truth.pose.y}, truth.twist.vx, period_s);
+      metrics.add(record, {truth.pose.x, truth.pose.y}, speedOf(truth.twist), period_s);
       const bool interrupted = observer && !observer({record, truth, cycle, frame});
       if (interrupted) summary.reason = "interrupted";
       if (interrupted || isOver(record, truth, setup, summary)) break;

@@ -104,6 +104,10 @@ void SimulationSetup::check() const {
   canDo(limits.maxSpeed_mps, simulatedRobot.maxSpeed_mps, "max_speed_mps");
   canDo(limits.acceleration_mps2, simulatedRobot.maxAcceleration_mps2, "acceleration_mps2");
   canDo(limits.deceleration_mps2, simulatedRobot.maxDeceleration_mps2, "deceleration_mps2");
+  if (limits.maxLateralSpeed_mps > 0.0 && simulatedRobot.kinematics != BaseKinematics::Holonomic)
+    Config::refuse("limits", "max_lateral_speed_mps",
+                   "0 unless [simulated_robot] kinematics = holonomic");
+  canDo(limits.maxLateralSpeed_mps, simulatedRobot.maxSpeed_mps, "max_lateral_speed_mps");
   if (lasers.empty()) Config::refuse("laser:NAME", "beams", "at least one laser");
   for (const auto& [name, camera] : cameras) camera.check(name);
   if (navigation.depth.enabled && cameras.empty())

@@ -67,9 +67,9 @@ void SnapshotRows::add(const NominalRun& run, std::size_t instant) {
   for (MapPicture* target : {&picture, &everything_})
     drawSnapshot(*target, snapshot, run.entry.setup.navigation.footprint);
   drawScale(picture, window);
-  tiles_.push_back({picture.finished(), method +
-                                            numberText(", t = %.1f s", snapshot.record.time_s) +
-                                            numberText(", %.2f m/s", snapshot.record.twist.vx)});
+  tiles_.push_back(
+      {picture.finished(), method + numberText(", t = %.1f s", snapshot.record.time_s) +
+                               numberText(", %.2f m/s", speedOf(snapshot.record.twist))});
 }
 
 Picture SnapshotRows::finished() const {

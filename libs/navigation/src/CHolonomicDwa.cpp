@@ -112,8 +112,10 @@ void CHolonomicDwa::navigate(const NavInput& ni, NavOutput& no) {
   const auto full = commandOf(*ptg->directionToMotionCommand(k));
   const auto& best = result_.candidates[static_cast<std::size_t>(result_.best)];
   no.desiredDirection = ptg->index2alpha(k);
-  no.desiredSpeed = ni.maxRobotSpeed *
-                    std::abs(full.vx != 0.0 ? best.v_mps / full.vx : best.w_radps / full.omega);
+  const bool turns = full.vx == 0.0 && full.vy == 0.0;
+  const double part = turns ? best.w_radps / full.omega
+                            : std::hypot(best.v_mps, best.vy_mps) / std::hypot(full.vx, full.vy);
+  no.desiredSpeed = ni.maxRobotSpeed * std::abs(part);
 }
 
 void CHolonomicDwa::evaluatePaths(const DwaInput& input, const std::vector<double>& freeDistances) {
@@ -128,14 +130,16 @@ void CHolonomicDwa::evaluatePaths(const DwaInput& input, const std::vector<doubl
     const auto full = commandOf(*ptg.directionToMotionCommand(k));
     Scales scales;
     scales.keepWithin(full.vx, window.vMin, window.vMax);
+    scales.keepWithin(full.vy, window.vyMin, window.vyMax);
     scales.keepWithin(full.omega, window.wMin, window.wMax);
-    const double horizon_m = std::abs(full.vx) * scales.high * parameters_.horizon_s;
+    const double horizon_m = std::hypot(full.vx, full.vy) * scales.high * parameters_.horizon_s;
     samplePath(ptg, k, horizon_m, spacing, path_);
     for (int i = speeds - 1; i >= 0; --i, ++candidate) {
       const double scale = sampleOf(scales.low, scales.high, i, speeds);
       candidate->v_mps = full.vx * scale;
+      candidate->vy_mps = full.vy * scale;
       candidate->w_radps = full.omega * scale;
-      const double reach = std::abs(candidate->v_mps) * parameters_.horizon_s;
+      const double reach = std::hypot(full.vx, full.vy) * scale * parameters_.horizon_s;
       if (scales.low > scales.high) {
         *candidate = {};
         candidate->verdict = Candidate::Verdict::OutOfWindow;

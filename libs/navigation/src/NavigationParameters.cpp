@@ -61,6 +61,9 @@ void NavigationParameters::check() const {
     Config::refuse("cycle", "replan_period_s", "at least [cycle] period_s");
   if (dwa.horizon_s < cycle.period_s)
     Config::refuse("dwa", "horizon_s", "at least [cycle] period_s");
+  if (limits.maxLateralSpeed_mps > 0.0 && dwa.lateralSamples < 2)
+    Config::refuse("dwa", "lateral_samples",
+                   "at least 2 with [limits] max_lateral_speed_mps above 0");
   if (blindSpots.source == BlindSpotSource::DepthClusters && !depth.enabled)
     Config::refuse("depth", "enabled", "true with [blind_spots] source = depth_clusters");
   if (depth.obstacles.zMax_m <= depth.obstacles.zMin_m)

@@ -142,9 +142,10 @@ void Surroundings::findBlindSpots(CycleRecord& record) {
   if (!found) return;
   record.blindSpots = *found;
   record.dangerZones.clear();
+  const double speed_mps = std::abs(speedOf(record.twist, parameters_.limits));
   for (const BlindSpot& spot : record.blindSpots)
     record.dangerZones.push_back(
-        dangerZone(spot, record.mapFromRobot, std::abs(record.twist.vx), parameters_.dangerZone));
+        dangerZone(spot, record.mapFromRobot, speed_mps, parameters_.dangerZone));
 }
 
 }  // namespace bslnav

@@ -10,6 +10,10 @@ namespace {
 
 // Costs this near to each other are equal: a tenth of a millimetre of the way, far above rounding.
 constexpr double kTie = 1e-4;
+// Lateral motion gives many velocities for one way: costs this near are those of the same way, a
+// centimetre aside, but for the sampling.
+constexpr double kSameWay = 0.02;
+constexpr double kLever_m = 0.3;  // by which turning counts beside driving
 
 bool isAdmissible(const Candidate& candidate) {
   return candidate.verdict == Candidate::Verdict::Admissible;
@@ -17,7 +21,17 @@ bool isAdmissible(const Candidate& candidate) {
 
 /** Ties go to the faster, then to the straighter candidate, so that equal costs never leave the
  * robot standing. */
-auto rank(const Candidate& c) { return std::make_tuple(-c.v_mps, std::abs(c.w_radps), c.total); }
+auto rank(const Candidate& c) {
+  return std::make_tuple(-c.speed_mps(), std::abs(c.w_radps), std::abs(c.vy_mps), c.total);
+}
+
+/** How much a candidate differs from a velocity, and how far from straight ahead it drives [m²/s²].
+ */
+double unrest(const Candidate& c, const mrpt::math::TTwist2D& from) {
+  const double x = c.v_mps - from.vx, y = c.vy_mps - from.vy;
+  const double w = kLever_m * (c.w_radps - from.omega);
+  return x * x + y * y + w * w + c.vy_mps * c.vy_mps;
+}
 
 }  // namespace
 
@@ -43,12 +57,12 @@ void CandidateEvaluator::begin(const DwaInput& input, const CostGrid& costs) {
             input.goalTolerance_m};
   const Cost goalCost = costs.costAt(input.goal.x, input.goal.y);
   goalCost_ = goalCost <= kHighestGradedCost ? goalCost : kFreeCost;
+  twist_ = input.twist;
   costs_ = &costs;
 }
 
 void CandidateEvaluator::evaluate(Candidate& candidate) const {
-  if (mayTurn(candidate))
-    judge(candidate, rollOut(candidate.v_mps, candidate.w_radps, setup_, *costs_, footprint_));
+  if (mayTurn(candidate)) judge(candidate, rollOut(candidate.twist(), setup_, *costs_, footprint_));
 }
 
 void CandidateEvaluator::evaluate(Candidate& candidate, const SampledPath& path,
@@ -61,7 +75,7 @@ bool CandidateEvaluator::mayTurn(Candidate& candidate) const {
   candidate.terms = {};
   candidate.total = 0.0;
   candidate.steps = 0;
-  if (oscillation_.allows(candidate.v_mps, candidate.w_radps)) return true;
+  if (oscillation_.allows(candidate.speed_mps(), candidate.w_radps)) return true;
   candidate.verdict = Candidate::Verdict::Oscillation;
   return false;
 }
@@ -76,10 +90,26 @@ void CandidateEvaluator::judge(Candidate& candidate, const RolloutOutcome& rollo
   }
   candidate.verdict = Verdict::Admissible;
   const Cost unavoidable = rollout.end == End::Goal ? goalCost_ : kFreeCost;
-  candidate.terms = {pathDistance_(rollout.endPoint), goalTerm(rollout, candidate.v_mps, setup_),
+  const double speed_mps = candidate.speed_mps();
+  candidate.terms = {pathDistance_(rollout.endPoint), goalTerm(rollout, speed_mps, setup_),
                      dangerTerm(rollout.highestCost, unavoidable, parameters_.weights),
-                     velocityTerm(candidate.v_mps, parameters_.weights)};
+                     velocityTerm(speed_mps, parameters_.weights)};
   candidate.total = weighted(candidate.terms, parameters_.weights);
+}
+
+/** Of the candidates that lead the same way as the best one, and as fast, the calmest. */
+const Candidate& CandidateEvaluator::calmest(const std::vector<Candidate>& candidates,
+                                             const Candidate& best) const {
+  const Candidate* chosen = &best;
+  double least = unrest(best, twist_);
+  for (const Candidate& c : candidates) {
+    const bool same = isAdmissible(c) && c.total <= best.total + kSameWay &&
+                      c.speed_mps() >= 0.95 * best.speed_mps();
+    if (!same || unrest(c, twist_) >= least) continue;
+    least = unrest(c, twist_);
+    chosen = &c;
+  }
+  return *chosen;
 }
 
 void CandidateEvaluator::choose(DwaResult& result) {
@@ -91,10 +121,12 @@ void CandidateEvaluator::choose(DwaResult& result) {
     if (!isAdmissible(candidate) || candidate.total > cheapest + kTie) continue;
     if (!best || rank(candidate) < rank(*best)) best = &candidate;
   }
+  const bool lateral = limits_.maxLateralSpeed_mps > 0.0 && parameters_.lateralSamples > 1;
+  if (best && lateral) best = &calmest(result.candidates, *best);
   result.setup = setup_;
   result.status = best ? DwaResult::Status::Ok : DwaResult::Status::NoAdmissible;
   result.best = best ? static_cast<int>(best - result.candidates.data()) : -1;
-  if (best) oscillation_.commanded(best->v_mps, best->w_radps, setup_.start);
+  if (best) oscillation_.commanded(best->speed_mps(), best->w_radps, setup_.start);
 }
 
 }  // namespace bslnav

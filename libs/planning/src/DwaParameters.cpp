@@ -27,6 +27,8 @@ void DwaParameters::describe(ConfigSection& section) {
   section.integer("speed_samples", speedSamples, {2, 500}, "", "speeds in the dynamic window");
   section.integer("yaw_rate_samples", yawRateSamples, {1, 500}, "",
                   "turning rates in the dynamic window");
+  section.integer("lateral_samples", lateralSamples, {1, 500}, "",
+                  "lateral speeds in the dynamic window, when the robot can move sideways");
   section.flag("allow_unknown", allowUnknown,
                "whether a rollout may cross unknown cells and leave the map");
   weights.describe(section);

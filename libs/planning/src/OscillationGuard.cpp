@@ -14,13 +14,14 @@ void OscillationParameters::describe(ConfigSection& section) {
                  "slower than this is turning on the spot");
 }
 
-void OscillationGuard::commanded(double v_mps, double w_radps, const mrpt::math::TPose2D& pose) {
+void OscillationGuard::commanded(double speed_mps, double w_radps,
+                                 const mrpt::math::TPose2D& pose) {
   if (side_ != 0) {
     const double moved = std::hypot(pose.x - since_.x, pose.y - since_.y);
     const double turned = std::abs(mrpt::math::wrapToPi(pose.phi - since_.phi));
     if (moved >= parameters_.resetDistance_m || turned >= parameters_.resetAngle_rad) side_ = 0;
   }
-  if (side_ == 0 && v_mps < parameters_.slowSpeed_mps && w_radps != 0.0) {
+  if (side_ == 0 && speed_mps < parameters_.slowSpeed_mps && w_radps != 0.0) {
     side_ = w_radps > 0.0 ? 1 : -1;
     since_ = pose;
   }

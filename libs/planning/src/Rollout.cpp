@@ -1,3 +1,4 @@
+#include <bslnav/planning/RobotLimits.h>
 #include <bslnav/planning/Rollout.h>
 
 #include <algorithm>
@@ -12,7 +13,11 @@ struct ArcStepper {
   float x, y, dx, dy, headingCos, headingSin, turnCos, turnSin, inverseChordSquared;
   int steps;
 
-  ArcStepper(double v, double w, const RolloutSetup& setup, const CostGrid& grid) {
+  ArcStepper(const mrpt::math::TTwist2D& twist, const RolloutSetup& setup, const CostGrid& grid) {
+    // The chord of a lateral velocity is turned by its direction and has its length.
+    const double v = speedOf(twist), w = twist.omega;
+    const double course =
+        setup.start.phi + (twist.vy == 0.0 ? 0.0 : std::atan2(twist.vy, twist.vx));
     const double cells = 1.0 / grid.getResolution();
     const double way = (std::abs(v) + std::abs(w) * setup.outlineReach_m) * setup.horizon_s;
     steps = static_cast<int>(
@@ -21,8 +26,8 @@ struct ArcStepper {
     const double chord = v * dt * cells * (std::abs(half) < 1e-9 ? 1.0 : std::sin(half) / half);
     x = static_cast<float>((setup.start.x - grid.getXMin()) * cells);
     y = static_cast<float>((setup.start.y - grid.getYMin()) * cells);
-    dx = static_cast<float>(chord * std::cos(setup.start.phi + half));
-    dy = static_cast<float>(chord * std::sin(setup.start.phi + half));
+    dx = static_cast<float>(chord * std::cos(course + half));
+    dy = static_cast<float>(chord * std::sin(course + half));
     headingCos = static_cast<float>(std::cos(setup.start.phi));
     headingSin = static_cast<float>(std::sin(setup.start.phi));
     turnCos = static_cast<float>(std::cos(2.0 * half));
@@ -198,9 +203,9 @@ void SampledPath::add(const mrpt::math::TPose2D& pose, double drivenSoFar_m) {
   distance_m.push_back(static_cast<float>(drivenSoFar_m));
 }
 
-RolloutOutcome rollOut(double v_mps, double w_radps, const RolloutSetup& setup,
+RolloutOutcome rollOut(const mrpt::math::TTwist2D& twist, const RolloutSetup& setup,
                        const CostGrid& costs, const FootprintCover& footprint) {
-  return runWhatIsNeeded(ArcStepper(v_mps, w_radps, setup, costs), setup, costs, footprint);
+  return runWhatIsNeeded(ArcStepper(twist, setup, costs), setup, costs, footprint);
 }
 
 RolloutOutcome rollOut(const SampledPath& path, double reach_m, const RolloutSetup& setup,
@@ -208,10 +213,10 @@ RolloutOutcome rollOut(const SampledPath& path, double reach_m, const RolloutSet
   return runWhatIsNeeded(PathStepper(path, reach_m, setup, costs), setup, costs, footprint);
 }
 
-std::vector<mrpt::math::TPose2D> rolloutPoses(double v_mps, double w_radps,
+std::vector<mrpt::math::TPose2D> rolloutPoses(const mrpt::math::TTwist2D& twist,
                                               const RolloutSetup& setup, int steps,
                                               const CostGrid& costs) {
-  ArcStepper arc(v_mps, w_radps, setup, costs);
+  ArcStepper arc(twist, setup, costs);
   std::vector<mrpt::math::TPose2D> poses{setup.start};
   for (int i = 0; i < std::min(steps, arc.steps); ++i) {
     arc.advance();

@@ -2,6 +2,7 @@
 #include <bslnav/config/Error.h>
 #include <bslnav/simulation/RandomStream.h>
 #include <bslnav/simulation/SimulatedRobot.h>
+#include <mrpt/math/TPoint2D.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +10,9 @@
 namespace bslnav {
 namespace {
 
-constexpr int kPeriods = 20;       // of MRPT's inner loop in one call of advance()
+using mrpt::math::TPoint2D;
+using mrpt::math::TTwist2D;
+
 constexpr double kSettled = 1e-6;  // speeds that differ by less are equal [m/s, rad/s]
 constexpr double kTimeSlack_s = 1e-9;
 
@@ -22,6 +25,24 @@ double nextSpeed(double now, double wanted, double gain, double speedUp, double 
   return now * next < 0.0 ? 0.0 : next;
 }
 
+/** The same for a velocity (vx, vy), straight towards `wanted`; what slows down ends where that way
+ * is nearest to standstill. */
+TPoint2D nextVelocity(const TPoint2D& now, const TPoint2D& wanted, double gain, double speedUp,
+                      double slowDown) {
+  const TPoint2D way = wanted - now;
+  const double whole = way.norm();
+  if (whole < kSettled) return wanted;
+  const double slowing = -(now.x * way.x + now.y * way.y) / whole;
+  const double limit = slowing > kSettled ? std::min(slowDown, slowing) : speedUp;
+  return now + way * (std::min(whole * gain, limit) / whole);
+}
+
+/** A command within the top speed, in its direction. */
+TPoint2D withinSpeed(const TPoint2D& velocity, double maxSpeed_mps) {
+  const double speed = velocity.norm();
+  return speed > maxSpeed_mps ? velocity * (maxSpeed_mps / speed) : velocity;
+}
+
 void requirePositive(const char* key, double value) {
   if (!(value > 0.0)) Config::refuse("simulated_robot", key, "a number above 0");
 }
@@ -29,8 +50,12 @@ void requirePositive(const char* key, double value) {
 }  // namespace
 
 void SimulatedRobotParameters::describe(ConfigSection& section) {
+  section.choice(
+      "kinematics", kinematics,
+      {{"diff_drive", BaseKinematics::DiffDrive}, {"holonomic", BaseKinematics::Holonomic}},
+      "what the base can drive: forward and turns, or sideways, too");
   section.number("max_speed_mps", maxSpeed_mps, kPositive, "m/s",
-                 "top speed, forward and backward");
+                 "top speed, forward and backward; holonomic: in every direction");
   section.angle("max_yaw_rate_degps", maxYawRate_radps, kPositive, "fastest turn");
   section.number("max_acceleration_mps2", maxAcceleration_mps2, kPositive, "m/s²",
                  "limit of speeding up");
@@ -51,15 +76,10 @@ void SimulatedRobotParameters::describe(ConfigSection& section) {
                 "standard deviation of the heading after 1 m; grows with the square root");
 }
 
-void SimulatedRobot::Vehicle::advance(double dt_s) {
-  // MRPT's loop runs while time <= end, a period too many when asked for whole ones.
-  m_firmware_control_period = dt_s / kPeriods;
-  simulateOneTimeStep(dt_s - 0.5 * m_firmware_control_period);
-}
-
 SimulatedRobot::SimulatedRobot(const SimulatedRobotParameters& parameters,
                                const mrpt::math::TPose2D& start, std::uint64_t seed)
     : parameters_(parameters),
+      base_(makeSimulatedBase(parameters.kinematics, start, parameters.lag_s)),
       odometry_(start),
       translationNoise_(randomStream(seed, "odometry/translation")),
       rotationNoise_(randomStream(seed, "odometry/rotation")) {
@@ -68,11 +88,9 @@ SimulatedRobot::SimulatedRobot(const SimulatedRobotParameters& parameters,
   requirePositive("max_acceleration_mps2", parameters.maxAcceleration_mps2);
   requirePositive("max_deceleration_mps2", parameters.maxDeceleration_mps2);
   requirePositive("max_yaw_acceleration_radps2", parameters.maxYawAcceleration_radps2);
-  vehicle_.setCurrentGTPose(start);
-  vehicle_.setDelayModelParams(parameters.lag_s, 0.0);
 }
 
-mrpt::math::TTwist2D SimulatedRobot::delayed(const mrpt::math::TTwist2D& command) {
+TTwist2D SimulatedRobot::delayed(const TTwist2D& command) {
   queue_.push_back({time_s_ + parameters_.commandLatency_s, command});
   while (!queue_.empty() && queue_.front().due_s <= time_s_ + kTimeSlack_s) {
     active_ = queue_.front().command;
@@ -81,28 +99,33 @@ mrpt::math::TTwist2D SimulatedRobot::delayed(const mrpt::math::TTwist2D& command
   return active_;
 }
 
-void SimulatedRobot::advance(const mrpt::math::TTwist2D& command, double dt_s) {
-  if (!std::isfinite(command.vx) || !std::isfinite(command.omega))
-    throw Error("simulated robot", "a command is not a finite number", Error::Kind::Run);
-  const auto wanted = delayed(command);
-  const double speed = std::clamp(wanted.vx, -parameters_.maxSpeed_mps, parameters_.maxSpeed_mps);
-  const double yawRate =
-      std::clamp(wanted.omega, -parameters_.maxYawRate_radps, parameters_.maxYawRate_radps);
-  const double gain = parameters_.lag_s > 0.0 ? 1.0 - std::exp(-dt_s / parameters_.lag_s) : 1.0;
-  const double v = nextSpeed(twist_.vx, speed, gain, parameters_.maxAcceleration_mps2 * dt_s,
-                             parameters_.maxDeceleration_mps2 * dt_s);
-  const double yawLimit = parameters_.maxYawAcceleration_radps2 * dt_s;
+TTwist2D SimulatedRobot::reached(const TTwist2D& wanted, double gain, double dt_s) const {
+  const SimulatedRobotParameters& p = parameters_;
+  const double yawRate = std::clamp(wanted.omega, -p.maxYawRate_radps, p.maxYawRate_radps);
+  const double yawLimit = p.maxYawAcceleration_radps2 * dt_s;
   const double w = nextSpeed(twist_.omega, yawRate, gain, yawLimit, yawLimit);
-  // The command whose lag ends at v and w after this step.
-  vehicle_.movementCommand(twist_.vx + (v - twist_.vx) / gain,
-                           twist_.omega + (w - twist_.omega) / gain);
-  const auto before = vehicle_.getCurrentGTPose();
-  vehicle_.advance(dt_s);
-  vehicle_.setV(v);  // the model sees the lag a period late and would never stand quite still
-  vehicle_.setW(w);
-  twist_ = {v, 0.0, w};
+  const double speedUp = p.maxAcceleration_mps2 * dt_s, slowDown = p.maxDeceleration_mps2 * dt_s;
+  if (isHolonomic()) {
+    const TPoint2D v =
+        nextVelocity({twist_.vx, twist_.vy}, withinSpeed({wanted.vx, wanted.vy}, p.maxSpeed_mps),
+                     gain, speedUp, slowDown);
+    return {v.x, v.y, w};
+  }
+  const double speed = std::clamp(wanted.vx, -p.maxSpeed_mps, p.maxSpeed_mps);
+  return {nextSpeed(twist_.vx, speed, gain, speedUp, slowDown), 0.0, w};
+}
+
+void SimulatedRobot::advance(const TTwist2D& command, double dt_s) {
+  if (!std::isfinite(command.vx) || !std::isfinite(command.omega) ||
+      (isHolonomic() && !std::isfinite(command.vy)))
+    throw Error("simulated robot", "a command is not a finite number", Error::Kind::Run);
+  const double gain = parameters_.lag_s > 0.0 ? 1.0 - std::exp(-dt_s / parameters_.lag_s) : 1.0;
+  const TTwist2D next = reached(delayed(command), gain, dt_s);
+  const auto before = pose();
+  base_->move(twist_, next, gain, dt_s);
+  twist_ = next;
   time_s_ += dt_s;
-  measure(vehicle_.getCurrentGTPose() - before);
+  measure(pose() - before);
 }
 
 void SimulatedRobot::measure(const mrpt::math::TPose2D& motion) {
@@ -113,8 +136,14 @@ void SimulatedRobot::measure(const mrpt::math::TPose2D& motion) {
       squared(parameters_.odometryRotationStd_rad) * std::abs(motion.phi) +
       squared(parameters_.odometryDriftStd_rad) * distance_m;
   auto measured = motion;
-  measured.x += translationNoise_.drawGaussian1D(
+  const double error_m = translationNoise_.drawGaussian1D(
       0.0, parameters_.odometryTranslationStd_m * std::sqrt(distance_m));
+  if (!isHolonomic()) {
+    measured.x += error_m;
+  } else if (distance_m > 0.0) {  // along the way, wherever that leads
+    measured.x += error_m * motion.x / distance_m;
+    measured.y += error_m * motion.y / distance_m;
+  }
   measured.phi += rotationNoise_.drawGaussian1D(0.0, std::sqrt(headingVariance));
   odometry_ = odometry_ + measured;
 }

@@ -113,7 +113,7 @@ void Simulator::updateContact() {
   else
     return;
   state_.contactTime_s = state_.time_s;
-  state_.speedAtContact_mps = std::abs(state_.twist.vx);
+  state_.speedAtContact_mps = std::hypot(state_.twist.vx, state_.twist.vy);
 }
 
 void Simulator::measure() {

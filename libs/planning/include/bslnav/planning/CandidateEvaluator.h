@@ -35,6 +35,7 @@ class CandidateEvaluator {
 
  private:
   bool mayTurn(Candidate& candidate) const;
+  const Candidate& calmest(const std::vector<Candidate>& candidates, const Candidate& best) const;
   void judge(Candidate& candidate, const RolloutOutcome& rollout) const;
 
   DwaParameters parameters_;
@@ -44,6 +45,7 @@ class CandidateEvaluator {
   PathDistance pathDistance_;
   Cost goalCost_ = kFreeCost;  // graded cost of the goal's own cell
   RolloutSetup setup_;
+  mrpt::math::TTwist2D twist_;  // that the robot has now
   const CostGrid* costs_ = nullptr;
 };
 

@@ -30,18 +30,18 @@ struct CostTerms {
 
 /** c_gol. A rollout that passes the goal counts as if it went on: its term falls below zero by what
  * is left of it, so that near the goal, too, the faster candidate is the cheaper one. */
-inline double goalTerm(const RolloutOutcome& rollout, double v_mps, const RolloutSetup& setup) {
+inline double goalTerm(const RolloutOutcome& rollout, double speed_mps, const RolloutSetup& setup) {
   if (rollout.end != RolloutOutcome::End::Goal) return (rollout.endPoint - setup.goal).norm();
   const mrpt::math::TPoint2D start{setup.start.x, setup.start.y};
-  return std::min(0.0, (setup.goal - start).norm() - v_mps * setup.horizon_s);
+  return std::min(0.0, (setup.goal - start).norm() - speed_mps * setup.horizon_s);
 }
 /** c_dan. @param unavoidable what the goal's own place costs, for a rollout that ends there; else 0
  */
 inline double dangerTerm(Cost highestCost, Cost unavoidable, const CostWeights& weights) {
   return (std::max(highestCost, unavoidable) - unavoidable) / weights.dangerDivisor;
 }
-inline double velocityTerm(double v_mps, const CostWeights& weights) {
-  return 1.0 / std::max(v_mps, weights.speedFloor_mps);
+inline double velocityTerm(double speed_mps, const CostWeights& weights) {
+  return 1.0 / std::max(speed_mps, weights.speedFloor_mps);
 }
 
 /** J of one candidate. */

@@ -12,6 +12,7 @@ struct DwaParameters {
   double window_s = 1.0;  ///< within one control period a robot that stands could only creep, and
                           ///< creeping never pays for crossing a graded cost
   int speedSamples = 20, yawRateSamples = 40;
+  int lateralSamples = 1;  ///< counts for a robot that can move sideways
   bool allowUnknown = false;
   CostWeights weights;
   OscillationParameters oscillation;

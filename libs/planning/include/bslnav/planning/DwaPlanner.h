@@ -1,6 +1,7 @@
 #pragma once
 
 #include <bslnav/planning/CandidateEvaluator.h>
+#include <bslnav/planning/DynamicWindow.h>
 #include <bslnav/planning/RobotLimits.h>
 
 namespace bslnav {
@@ -17,6 +18,9 @@ class DwaPlanner : public LocalPlanner {
   void reset() override { evaluator_.reset(); }
 
  private:
+  void sample(const DynamicWindow& window, const mrpt::math::TTwist2D& current,
+              double speedCap_mps);
+
   DwaParameters parameters_;
   RobotLimits limits_;
   double controlPeriod_s_;

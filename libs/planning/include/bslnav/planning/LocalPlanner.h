@@ -1,6 +1,7 @@
 #pragma once
 
 #include <bslnav/planning/CostTerms.h>
+#include <bslnav/planning/RobotLimits.h>
 #include <bslnav/planning/Rollout.h>
 #include <mrpt/math/TTwist2D.h>
 
@@ -22,10 +23,14 @@ struct DwaInput {
 struct Candidate {
   enum class Verdict : std::uint8_t { Admissible, Obstacle, Unknown, Oscillation, OutOfWindow };
   double v_mps = 0.0, w_radps = 0.0;
-  CostTerms terms;     ///< zero unless admissible
-  double total = 0.0;  ///< J
+  double vy_mps = 0.0;  ///< to the left
+  CostTerms terms;      ///< zero unless admissible
+  double total = 0.0;   ///< J
   Verdict verdict = Verdict::Admissible;
   int steps = 0;  ///< of the rollout
+
+  mrpt::math::TTwist2D twist() const { return {v_mps, vy_mps, w_radps}; }
+  double speed_mps() const { return speedOf(twist()); }
 };
 
 struct DwaResult {
@@ -39,8 +44,7 @@ struct DwaResult {
   /** The chosen candidate's velocity, robot frame; zero when there is none. */
   mrpt::math::TTwist2D chosenVelocity() const {
     if (best < 0) return {};
-    const Candidate& candidate = candidates[static_cast<std::size_t>(best)];
-    return {candidate.v_mps, 0.0, candidate.w_radps};
+    return candidates[static_cast<std::size_t>(best)].twist();
   }
 };
 

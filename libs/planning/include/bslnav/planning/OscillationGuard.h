@@ -19,11 +19,11 @@ class OscillationGuard {
  public:
   explicit OscillationGuard(const OscillationParameters& parameters) : parameters_(parameters) {}
 
-  bool allows(double v_mps, double w_radps) const {
-    return side_ == 0 || v_mps >= parameters_.slowSpeed_mps || w_radps * side_ >= 0.0;
+  bool allows(double speed_mps, double w_radps) const {
+    return side_ == 0 || speed_mps >= parameters_.slowSpeed_mps || w_radps * side_ >= 0.0;
   }
   /** Told once a cycle what was commanded, and where. */
-  void commanded(double v_mps, double w_radps, const mrpt::math::TPose2D& pose);
+  void commanded(double speed_mps, double w_radps, const mrpt::math::TPose2D& pose);
   void reset() { side_ = 0; }
 
  private:

@@ -4,6 +4,7 @@
 #include <bslnav/planning/FootprintCover.h>
 #include <mrpt/math/TPoint2D.h>
 #include <mrpt/math/TPose2D.h>
+#include <mrpt/math/TTwist2D.h>
 
 #include <cstdint>
 #include <vector>
@@ -38,10 +39,15 @@ struct RolloutSetup {
   double goalTolerance_m = 0.0;  ///< 0: the goal does not end a rollout
 };
 
-/** Drives a constant velocity from the start along its exact arc until the horizon, the goal or an
- * obstacle (paper III-B). */
-RolloutOutcome rollOut(double v_mps, double w_radps, const RolloutSetup& setup,
+/** Drives a constant velocity (robot frame) from the start along its exact arc until the horizon,
+ * the goal or an obstacle (paper III-B). */
+RolloutOutcome rollOut(const mrpt::math::TTwist2D& twist, const RolloutSetup& setup,
                        const CostGrid& costs, const FootprintCover& footprint);
+/** The same without lateral motion. */
+inline RolloutOutcome rollOut(double v_mps, double w_radps, const RolloutSetup& setup,
+                              const CostGrid& costs, const FootprintCover& footprint) {
+  return rollOut({v_mps, 0.0, w_radps}, setup, costs, footprint);
+}
 
 /** A path in the robot's frame as poses from the start on, nowhere farther apart than a cell of the
  * grid that it is rolled out on; arrays of equal length. */
@@ -60,7 +66,7 @@ RolloutOutcome rollOut(const SampledPath& path, double reach_m, const RolloutSet
                        const CostGrid& costs, const FootprintCover& footprint);
 
 /** The poses of the rollout of a constant velocity, for pictures: start first. */
-std::vector<mrpt::math::TPose2D> rolloutPoses(double v_mps, double w_radps,
+std::vector<mrpt::math::TPose2D> rolloutPoses(const mrpt::math::TTwist2D& twist,
                                               const RolloutSetup& setup, int steps,
                                               const CostGrid& costs);
 

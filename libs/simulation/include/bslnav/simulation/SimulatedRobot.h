@@ -1,21 +1,23 @@
 #pragma once
 
 #include <bslnav/config/ConfigSection.h>
-#include <mrpt/kinematics/CVehicleSimul_DiffDriven.h>
+#include <bslnav/simulation/SimulatedBase.h>
 #include <mrpt/math/TPose2D.h>
 #include <mrpt/math/TTwist2D.h>
 #include <mrpt/random/RandomGenerators.h>
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace bslnav {
 
 /** What the simulated base can do, and how well it measures what it did. */
 struct SimulatedRobotParameters {
-  double maxSpeed_mps = 1.0;  ///< forward and backward
+  BaseKinematics kinematics = BaseKinematics::DiffDrive;
+  double maxSpeed_mps = 1.0;  ///< forward and backward; holonomic: in every direction
   double maxYawRate_radps = 2.0;
-  double maxAcceleration_mps2 = 0.5;
+  double maxAcceleration_mps2 = 0.5;  ///< of the velocity vector in the robot frame
   double maxDeceleration_mps2 = 0.5;  ///< towards standstill
   double maxYawAcceleration_radps2 = 2.0;
   double lag_s = 0.05;                     ///< time constant of the motors
@@ -27,7 +29,7 @@ struct SimulatedRobotParameters {
   void describe(ConfigSection& section);
 };
 
-/** A differential-drive robot: commands pass a latency, the limits and MRPT's first-order lag. */
+/** A robot whose commands pass a latency, the limits and a first-order lag. */
 class SimulatedRobot {
  public:
   /** Starts at rest, with the odometry at the true pose.
@@ -35,34 +37,33 @@ class SimulatedRobot {
   SimulatedRobot(const SimulatedRobotParameters& parameters, const mrpt::math::TPose2D& start,
                  std::uint64_t seed);
 
-  /** Drives for `dt_s` (10 ms or less, for accuracy) with a command in the robot frame, without vy.
+  /** Drives for `dt_s` (10 ms or less, for accuracy) with a command in the robot frame; a
+   *  differential drive takes no notice of vy.
    *
-   *  The mean acceleration over `dt_s` keeps the limits. @throws Error on a command not finite */
+   *  The mean acceleration over `dt_s` keeps the limits: that of the vector (vx, vy) as the robot
+   *  sees it, and that of the turn. @throws Error on a command not finite */
   void advance(const mrpt::math::TTwist2D& command, double dt_s);
 
   /** True pose in the map. */
-  const mrpt::math::TPose2D& pose() const { return vehicle_.getCurrentGTPose(); }
+  const mrpt::math::TPose2D& pose() const { return base_->pose(); }
   /** True velocity in the robot frame. */
   mrpt::math::TTwist2D twist() const { return twist_; }
   /** Pose in the map as the wheels tell it. */
   const mrpt::math::TPose2D& odometry() const { return odometry_; }
 
  private:
-  /** MRPT's model, advanced by exactly the time asked for. */
-  class Vehicle : public mrpt::kinematics::CVehicleSimul_DiffDriven {
-   public:
-    void advance(double dt_s);
-  };
   struct DelayedCommand {
     double due_s;
     mrpt::math::TTwist2D command;
   };
 
+  bool isHolonomic() const { return parameters_.kinematics == BaseKinematics::Holonomic; }
   mrpt::math::TTwist2D delayed(const mrpt::math::TTwist2D& command);
+  mrpt::math::TTwist2D reached(const mrpt::math::TTwist2D& wanted, double gain, double dt_s) const;
   void measure(const mrpt::math::TPose2D& motion);
 
   SimulatedRobotParameters parameters_;
-  Vehicle vehicle_;
+  std::unique_ptr<SimulatedBase> base_;
   double time_s_ = 0.0;
   std::vector<DelayedCommand> queue_;  // commands still on their way
   mrpt::math::TTwist2D active_, twist_;
