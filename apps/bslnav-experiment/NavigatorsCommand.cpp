@@ -25,6 +25,8 @@ std::vector<Engine> engines() {
   };
   return {{"dwa", {"navigator.type=dwa"}},
           {"ptg", {"navigator.type=ptg"}},
+          {"dwa, holonomic", {"navigator.type=dwa"}, true},
+          {"ptg, holonomic", {"navigator.type=ptg"}, true},
           {"mrpt ND", mrpt("CHolonomicND")},
           {"mrpt FullEval", mrpt("CHolonomicFullEval")}};
 }

@@ -93,8 +93,8 @@ void CHolonomicDwa::navigate(const NavInput& ni, NavOutput& no) {
     const int cells = static_cast<int>(2.0 * reach / openGround_.getResolution());
     openGround_ = CostGrid(cells, cells, openGround_.getResolution(), -reach, -reach);
     const std::vector<mrpt::math::TPoint2D> noPath;  // the target is all that MRPT knows
-    const DwaInput input{{}, state.curVelLocal, noPath, {state.relTarget.x, state.relTarget.y},
-                         0.1, true};
+    const DwaInput input{
+        {}, state.curVelLocal, noPath, {state.relTarget.x, state.relTarget.y}, 0.1, true};
     evaluator_->begin(input, openGround_);
     evaluatePaths(input, ni.obstacles);
   }

@@ -1,5 +1,6 @@
 #include <bslnav/config/Error.h>
 #include <bslnav/navigation/PtgNavigation.h>
+#include <bslnav/planning/DynamicWindow.h>
 #include <mrpt/nav/reactive/TCandidateMovementPTG.h>
 #include <mrpt/rtti/CObject.h>
 
@@ -73,7 +74,11 @@ double PtgNavigation::generate_vel_cmd(const mrpt::nav::TCandidateMovementPTG& m
   chosen_ = movement.PTG;
   if (!command) return scale;
   const auto& from = situation_ ? situation_->input.twist : m_curPoseVel.velLocal;
-  result_.command = limited(commandOf(*command), from, limits_, controlPeriod_s_);
+  auto wanted = commandOf(*command);
+  if (situation_)
+    wanted = withinWindow(wanted, from, limits_, controlPeriod_s_,
+                          speedCap(situation_->input, limits_, controlPeriod_s_));
+  result_.command = limited(wanted, from, limits_, controlPeriod_s_);
   setVelocity(result_.command, *command);
   return scale;
 }

@@ -5,6 +5,7 @@
 #include <mrpt/kinematics/CVehicleVelCmd_Holo.h>
 #include <mrpt/math/wrap2pi.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace bslnav {
@@ -15,9 +16,15 @@ mrpt::math::TTwist2D commandOf(const mrpt::kinematics::CVehicleVelCmd& command) 
   if (const auto* drive =
           dynamic_cast<const mrpt::kinematics::CVehicleVelCmd_DiffDriven*>(&command))
     return {drive->lin_vel, 0.0, drive->ang_vel};
-  if (const auto* holonomic = dynamic_cast<const mrpt::kinematics::CVehicleVelCmd_Holo*>(&command))
-    return {holonomic->vel * std::cos(holonomic->dir_local),
-            holonomic->vel * std::sin(holonomic->dir_local), holonomic->rot_speed};
+  if (const auto* holonomic =
+          dynamic_cast<const mrpt::kinematics::CVehicleVelCmd_Holo*>(&command)) {
+    // MRPT means: turn until facing where it drives. Ours is a rate, so it must fade on the way.
+    constexpr double kFacing_s = 0.5;
+    const double direction = holonomic->dir_local;
+    const double rate = std::min(std::abs(holonomic->rot_speed), std::abs(direction) / kFacing_s);
+    return {holonomic->vel * std::cos(direction), holonomic->vel * std::sin(direction),
+            std::copysign(rate, holonomic->rot_speed)};
+  }
   throw Error("PTG", "its commands are neither of a differential nor of a holonomic robot",
               Error::Kind::Run);
 }
@@ -39,12 +46,14 @@ void samplePath(const mrpt::nav::CParameterizedTrajectoryGenerator& ptg, std::ui
   path.add({}, 0.0);
   TPose2D last;
   double driven_m = 0.0;
-  const auto steps = static_cast<std::uint32_t>(ptg.getPathStepCount(k));
-  for (std::uint32_t step = 1; step < steps && driven_m < reach_m; ++step) {
+  const auto end = static_cast<std::uint32_t>(ptg.getPathStepCount(k)) - 1;
+  std::uint32_t stride = 1;  // of the PTG's own steps, which may be far shorter than the spacing
+  for (std::uint32_t step = 0; step < end && driven_m < reach_m;) {
+    step = std::min(step + stride, end);
     const TPose2D pose = ptg.getPathPose(k, step);
     const double chord_m = std::hypot(pose.x - last.x, pose.y - last.y);
-    const bool isLast = step + 1 == steps || driven_m + chord_m >= reach_m;
-    if (chord_m < 0.5 * spacing_m && !isLast) continue;
+    const double fitting = stride * spacing_m / std::max(chord_m, 0.25 * spacing_m);
+    stride = std::max(1U, static_cast<std::uint32_t>(fitting));
     const int pieces = std::max(1, static_cast<int>(std::ceil(chord_m / spacing_m)));
     for (int i = 1; i <= pieces; ++i) {
       const double part = static_cast<double>(i) / pieces;

@@ -53,6 +53,15 @@ std::pair<std::string, std::string> outlineOf(const Footprint& footprint) {
   return outline;
 }
 
+/** How far MRPT sees obstacles. With our evaluator they serve its own stop in front of obstacles
+ * only: what is farther away is judged over the cost map, which is much faster. */
+double sight_m(NavigatorType type, const RobotLimits& limits, const Footprint& footprint) {
+  if (type == NavigatorType::Mrpt) return 1e3;
+  const double v = limits.maxSpeed_mps;
+  const double braking = v * limits.response_s + 0.5 * v * v / limits.deceleration_mps2;
+  return footprint.circumscribedRadius_m() + braking + 0.3;
+}
+
 /** MRPT's configuration with this robot's speeds and shape. */
 mrpt::config::CConfigFileMemory configOf(const NavigatorParameters& parameters,
                                          const RobotLimits& limits, const Footprint& footprint) {
@@ -92,7 +101,10 @@ mrpt::config::CConfigFileMemory configOf(const NavigatorParameters& parameters,
 /** What MRPT's engine asks of a robot, answered from the cycle's input. */
 class ReactivePlanner::Robot : public mrpt::nav::CRobot2NavInterface {
  public:
-  Robot() { setMinLoggingLevel(mrpt::system::LVL_ERROR); }
+  /** @param sight_m obstacles that are farther away are not shown to MRPT */
+  explicit Robot(double sight_m) : sight_m_(sight_m) {
+    setMinLoggingLevel(mrpt::system::LVL_ERROR);
+  }
 
   void set(const DwaInput& input, const CostGrid& costs) {
     pose_ = input.mapFromRobot;
@@ -106,6 +118,7 @@ class ReactivePlanner::Robot : public mrpt::nav::CRobot2NavInterface {
         if (costs.at(x, y) != kLethalCost) continue;
         const double dx = costs.getXMin() + (x + 0.5) * cell - pose_.x;
         const double dy = costs.getYMin() + (y + 0.5) * cell - pose_.y;
+        if (dx * dx + dy * dy > sight_m_ * sight_m_) continue;
         obstacles_.insertPoint(static_cast<float>(c * dx + s * dy),
                                static_cast<float>(c * dy - s * dx), 0.0f);
       }
@@ -143,6 +156,7 @@ class ReactivePlanner::Robot : public mrpt::nav::CRobot2NavInterface {
   void resetNavigationTimer() override {}
 
  private:
+  double sight_m_;
   TPose2D pose_;
   TTwist2D twist_, command_;
   double time_s_ = 0.0;
@@ -152,7 +166,9 @@ class ReactivePlanner::Robot : public mrpt::nav::CRobot2NavInterface {
 ReactivePlanner::ReactivePlanner(const NavigatorParameters& parameters, const DwaParameters& dwa,
                                  const RobotLimits& limits, const FootprintCover& cover,
                                  const Footprint& footprint, double controlPeriod_s)
-    : limits_(limits), controlPeriod_s_(controlPeriod_s), robot_(std::make_unique<Robot>()) {
+    : limits_(limits),
+      controlPeriod_s_(controlPeriod_s),
+      robot_(std::make_unique<Robot>(sight_m(parameters.type, limits, footprint))) {
   mrpt::nav::registerAllClasses_mrpt_nav();
   navigation_ = std::make_unique<PtgNavigation>(*robot_, false);
   navigation_->use(dwa, limits, controlPeriod_s,
