@@ -39,6 +39,7 @@ TEST(Plugin, GivesMrptsStockEngineOurMethod) {
   mrpt::config::CConfigFile ini(BSLNAV_SOURCE_DIR "/config/mrpt/reactive.ini");
   ini.discardSavingChanges();
   ini.write("CAbstractPTGBasedReactive", "ptg_cache_files_directory", "/dev/null");
+  ini.write("CAbstractPTGBasedReactive", "evaluate_clearance", true);
   mrpt::kinematics::CVehicleSimul_DiffDriven vehicle;
   Robot robot(vehicle);
   mrpt::nav::CReactiveNavigationSystem navigator(robot, false);

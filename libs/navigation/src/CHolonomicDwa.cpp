@@ -85,7 +85,7 @@ void CHolonomicDwa::navigate(const NavInput& ni, NavOutput& no) {
     throw Error("bslnav::CHolonomicDwa", "has no PTG, or was not initialised", Error::Kind::Run);
   if (situation_) {
     evaluator_->begin(situation_->input, *situation_->costs);
-    evaluatePaths(situation_->input, {});
+    evaluatePaths(situation_->input, nullptr);
   } else {
     const auto& state = ptg->getCurrentNavDynamicState();
     const double reach =
@@ -96,7 +96,7 @@ void CHolonomicDwa::navigate(const NavInput& ni, NavOutput& no) {
     const DwaInput input{
         {}, state.curVelLocal, noPath, {state.relTarget.x, state.relTarget.y}, 0.1, true};
     evaluator_->begin(input, openGround_);
-    evaluatePaths(input, ni.obstacles);
+    evaluatePaths(input, &ni);
   }
   evaluator_->choose(result_);
   result_.command =
@@ -118,7 +118,25 @@ void CHolonomicDwa::navigate(const NavInput& ni, NavOutput& no) {
   no.desiredSpeed = ni.maxRobotSpeed * std::abs(part);
 }
 
-void CHolonomicDwa::evaluatePaths(const DwaInput& input, const std::vector<double>& freeDistances) {
+/** What MRPT knows of obstacles near a candidate: how much of the path's free distance it leaves,
+ * and, with evaluate_clearance in MRPT's configuration, how near to obstacles the path leads. The
+ * danger decays with both, as costs around obstacles do, so that the robot turns away in time. */
+void CHolonomicDwa::heed(const NavInput& ni, std::uint16_t k, double reach_m,
+                         Candidate& candidate) const {
+  constexpr double kDecay_m = 0.25;
+  const double reference_m = getAssociatedPTG()->getRefDistance();
+  double gap_m = ni.obstacles[k] * reference_m - reach_m;
+  if (gap_m < 0.0) candidate.verdict = Candidate::Verdict::Obstacle;
+  if (candidate.verdict != Candidate::Verdict::Admissible) return;
+  if (ni.clearance && !ni.clearance->empty())
+    gap_m =
+        std::min(gap_m, reference_m * ni.clearance->getClearance(k, reach_m / reference_m, false));
+  const auto cost = static_cast<Cost>(kHighestGradedCost * std::exp(-gap_m / kDecay_m));
+  candidate.terms.danger = dangerTerm(cost, kFreeCost, parameters_.weights);
+  candidate.total = weighted(candidate.terms, parameters_.weights);
+}
+
+void CHolonomicDwa::evaluatePaths(const DwaInput& input, const NavInput* stock) {
   const auto& ptg = *getAssociatedPTG();
   const int speeds = parameters_.speedSamples;
   const double cap = speedCap(input, limits_, controlPeriod_s_);
@@ -146,8 +164,7 @@ void CHolonomicDwa::evaluatePaths(const DwaInput& input, const std::vector<doubl
         continue;
       }
       evaluator_->evaluate(*candidate, path_, reach);
-      if (!freeDistances.empty() && freeDistances[k] * ptg.getRefDistance() < reach)
-        candidate->verdict = Candidate::Verdict::Obstacle;
+      if (stock) heed(*stock, k, reach, *candidate);
     }
   }
 }

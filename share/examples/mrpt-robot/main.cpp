@@ -3,6 +3,7 @@
 #include <bslnav/evaluation/SimulationSetup.h>
 #include <bslnav/navigation/BlindSpotReactiveNavigator.h>
 #include <mrpt/config/CConfigFile.h>
+#include <mrpt/maps/COccupancyGridMap2D.h>
 #include <mrpt/nav/reactive/CRobot2NavInterfaceForSimulator.h>
 
 #include <cstdio>

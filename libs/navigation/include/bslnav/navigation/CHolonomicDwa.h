@@ -46,7 +46,8 @@ class CHolonomicDwa : public mrpt::nav::CAbstractHolonomicReactiveMethod {
   const DwaResult& result() const { return result_; }
 
  private:
-  void evaluatePaths(const DwaInput& input, const std::vector<double>& freeDistances);
+  void heed(const NavInput& ni, std::uint16_t k, double reach_m, Candidate& candidate) const;
+  void evaluatePaths(const DwaInput& input, const NavInput* stock);
 
   DwaParameters parameters_;
   RobotLimits limits_;
