@@ -42,6 +42,20 @@ TEST_F(ExperimentApp, TheNumberOfJobsDoesNotMatter) {
   EXPECT_EQ(readFile(out("results.csv", "alone")), readFile(out("results.csv", "together")));
 }
 
+TEST_F(ExperimentApp, ComparesNavigators) {
+  const AppResult result = run({"navigators", write("room.ini", kRoom), "--methods", "1", "--runs",
+                                "1", "--out", path("out")},
+                               "bslnav-experiment");
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  EXPECT_EQ(rowsOf(out("results.csv")), 6U);  // six navigators
+  const std::string table = readFile(out("table.md"));
+  for (const char* engine : {"| dwa |", "| ptg |", "| dwa, holonomic |", "| ptg, holonomic |",
+                             "| mrpt ND |", "| mrpt FullEval |"})
+    EXPECT_THAT(table, HasSubstr(engine));
+  EXPECT_THAT(readFile(out("results.csv")), HasSubstr("\nroom,ptg,1,1,goal,"));
+  EXPECT_THAT(readFile(out("results.csv")), HasSubstr("\nroom,\"ptg, holonomic\",1,1,goal,"));
+}
+
 TEST_F(ExperimentApp, RefusesWhatItCannotRun) {
   EXPECT_EQ(compare({}).exitCode, 2);
   EXPECT_EQ(compare({kS1, "--runs", "0"}).exitCode, 2);

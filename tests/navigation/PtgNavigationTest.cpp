@@ -1,5 +1,4 @@
 #include <bslnav/navigation/BlindSpotReactiveNavigator.h>
-#include <bslnav/navigation/ReactivePlanner.h>
 #include <gmock/gmock.h>
 
 #include "PtgRig.h"
@@ -89,22 +88,6 @@ TEST(ScanOfPoints, HasTheNearestPointOfEachDirection) {
     EXPECT_FLOAT_EQ(scan->getScanRange(i), ahead ? 2.0f : 1.0f);
   }
   EXPECT_EQ(valid, 2);
-}
-
-TEST(ReactivePlanner, SaysWhatIsWrongWithMrptsConfiguration) {
-  NavigatorParameters parameters;
-  parameters.type = NavigatorType::Mrpt;
-  const FootprintCover cover({}, 0.05, InflationLayer({0.1, 1.0}, 0.05, 0.05));
-  parameters.mrptConfig = "/no/such.ini";
-  EXPECT_THROW(ReactivePlanner(parameters, {}, {}, cover, {}, 0.1), std::exception);
-  parameters.mrptConfig = dataDirectory() + "/config/scenarios/s1.ini";
-  try {
-    ReactivePlanner(parameters, {}, {}, cover, {}, 0.1);
-    FAIL();
-  } catch (const std::exception& problem) {
-    EXPECT_THAT(problem.what(), testing::HasSubstr("PTG_COUNT"));
-    EXPECT_THAT(problem.what(), testing::Not(testing::HasSubstr("backtrace")));
-  }
 }
 
 }  // namespace
