@@ -91,6 +91,41 @@ TEST_F(DwaNavigatorTest, AFailingRobotInterfaceEndsTheNavigation) {
   EXPECT_THAT(robot_.events, testing::EndsWith("end "));
 }
 
+TEST_F(DwaNavigatorTest, ARobotThatDoesNotKnowItsPoseEndsTheNavigation) {
+  test::navigateTo(navigator, 5.0, 0.0);
+  test::drive(navigator, robot_, 1.0);
+  robot_.lost = true;
+  test::drive(navigator, robot_, 0.5);
+  EXPECT_EQ(navigator.getCurrentState(), DwaNavigator::NAV_ERROR);
+}
+
+TEST_F(DwaNavigatorTest, StandsWhenTheObstaclesAreOldOnes) {
+  robot_.addWall(4.0, -1.0, 4.0, 1.0);
+  test::navigateTo(navigator, 3.0, 0.0);
+  test::drive(navigator, robot_, 3.0);
+  ASSERT_GT(robot_.commands.back(), 0.3);
+  robot_.frozen = true;
+  test::drive(navigator, robot_, 3.0);  // half a second of grace, then braking at 0.5 m/s²
+  EXPECT_EQ(robot_.commands.back(), 0.0);
+  EXPECT_EQ(navigator.lastRecord().health, CycleRecord::Health::StaleSensor);
+}
+
+TEST_F(DwaNavigatorTest, ArrivesStanding) {
+  test::navigateTo(navigator, 2.0, 0.0);
+  test::drive(navigator, robot_, 60.0);
+  ASSERT_EQ(robot_.events, "start end ");
+  for (const double speed : robot_.speedsAtStop) EXPECT_LT(std::abs(speed), 0.05);
+}
+
+TEST_F(DwaNavigatorTest, WithoutConfigurationItFailsAndDoesNotCrash) {
+  DwaNavigator fresh(robot_);
+  fresh.setMinLoggingLevel(mrpt::system::LVL_ERROR);
+  test::navigateTo(fresh, 1.0, 0.0);
+  for (int i = 0; i < 3; ++i) fresh.navigationStep();
+  EXPECT_FALSE(fresh.isRelativePointReachable({1.0, 0.0}));
+  EXPECT_NE(fresh.getCurrentState(), DwaNavigator::NAVIGATING);
+}
+
 TEST_F(DwaNavigatorTest, NeedsItsConfiguration) {
   DwaNavigator fresh(robot_);
   fresh.setMinLoggingLevel(mrpt::system::LVL_ERROR);

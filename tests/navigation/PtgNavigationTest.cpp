@@ -65,6 +65,38 @@ TEST_F(BlindSpotReactiveNavigatorTest, AFailingStepEndsTheNavigationAndSaysWhy) 
   EXPECT_THAT(robot.events, testing::HasSubstr("error"));
 }
 
+TEST_F(BlindSpotReactiveNavigatorTest, BrakesWithinTheLimitsWhereThereIsNoWay) {
+  load();
+  test::navigateTo(navigator, 5.0, 0.0);
+  test::drive(navigator, robot, 3.0);
+  ASSERT_GT(robot.commands.back(), 0.4);
+  const double x = robot.vehicle.getCurrentGTPose().x;
+  robot.addWall(x + 0.9, -3.0, x + 0.9, 3.0);  // all of a sudden, all around
+  robot.addWall(x - 2.0, 3.0, x + 0.9, 3.0);
+  robot.addWall(x - 2.0, -3.0, x + 0.9, -3.0);
+  robot.addWall(x - 2.0, -3.0, x - 2.0, 3.0);
+  robot.speedsAtStop.clear();
+  test::drive(navigator, robot, 0.8);
+  EXPECT_LT(robot.commands.back(), 0.2);
+  for (std::size_t i = 1; i < robot.commands.size(); ++i)
+    EXPECT_LE(robot.commands[i - 1] - robot.commands[i], 0.5 * 0.1 + 0.051) << i;
+}
+
+TEST_F(BlindSpotReactiveNavigatorTest, ArrivesStanding) {
+  load();
+  test::navigateTo(navigator, 2.0, 0.0);
+  test::drive(navigator, robot, 60.0);
+  ASSERT_EQ(robot.events, "start end ");
+  for (const double speed : robot.speedsAtStop) EXPECT_LT(std::abs(speed), 0.05);
+}
+
+TEST_F(BlindSpotReactiveNavigatorTest, WithoutConfigurationItFailsAndDoesNotCrash) {
+  navigator.setMinLoggingLevel(mrpt::system::LVL_ERROR);
+  test::navigateTo(navigator, 1.0, 0.0);
+  for (int i = 0; i < 3; ++i) navigator.navigationStep();
+  EXPECT_NE(navigator.getCurrentState(), BlindSpotReactiveNavigator::NAVIGATING);
+}
+
 TEST_F(BlindSpotReactiveNavigatorTest, RefusesItsSectionsMistakes) {
   ini.write("bslnav", "methd", 2);
   EXPECT_THROW(navigator.loadConfigFile(ini), std::exception);

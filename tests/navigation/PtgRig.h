@@ -57,12 +57,26 @@ class PtgRobot : public mrpt::nav::CRobot2NavInterfaceForSimulator_DiffDriven {
       const auto p = pose.inverseComposePoint(obstacle);
       points.insertPoint(static_cast<float>(p.x), static_cast<float>(p.y), 0.0f);
     }
-    stamp = mrpt::Clock::now();
+    if (!frozen) seenAt = mrpt::Clock::fromDouble(1e9 + vehicle.getTime());
+    stamp = seenAt;
     return sees;
   }
   bool changeSpeeds(const mrpt::kinematics::CVehicleVelCmd& command) override {
     commands.push_back(command.getVelCmdElement(0));
     return CRobot2NavInterfaceForSimulator_DiffDriven::changeSpeeds(command);
+  }
+  /** As the simulator's, with stamps of the simulated clock. */
+  bool getCurrentPoseAndSpeeds(mrpt::math::TPose2D& pose, mrpt::math::TTwist2D& velocity,
+                               mrpt::system::TTimeStamp& stamp, mrpt::math::TPose2D& odometry,
+                               std::string& frame) override {
+    const bool known = CRobot2NavInterfaceForSimulator_DiffDriven::getCurrentPoseAndSpeeds(
+        pose, velocity, stamp, odometry, frame);
+    stamp = mrpt::Clock::fromDouble(1e9 + vehicle.getTime());
+    return known && !lost;
+  }
+  bool stop(bool isEmergencyStop) override {
+    speedsAtStop.push_back(vehicle.getCurrentGTVelLocal().vx);
+    return CRobot2NavInterfaceForSimulator_DiffDriven::stop(isEmergencyStop);
   }
   void sendNavigationStartEvent() override { events += "start "; }
   void sendNavigationEndEvent() override { events += "end "; }
@@ -82,7 +96,10 @@ class PtgRobot : public mrpt::nav::CRobot2NavInterfaceForSimulator_DiffDriven {
   std::vector<mrpt::math::TPoint2D> obstacles;
   std::vector<double> commands;  ///< forward speeds
   std::string events;
-  bool sees = true, throwsNow = false;
+  std::vector<double> speedsAtStop;  ///< how fast it was when MRPT stopped it at once
+  mrpt::system::TTimeStamp seenAt;
+  bool sees = true, throwsNow = false, lost = false;
+  bool frozen = false;  ///< it goes on giving the last obstacles with their old stamp
 };
 
 /** Steps a navigator and the robot until it arrives, fails or the time is over. */

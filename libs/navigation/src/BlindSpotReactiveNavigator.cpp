@@ -1,10 +1,12 @@
 #include <bslnav/config/Error.h>
 #include <bslnav/navigation/BlindSpotReactiveNavigator.h>
+#include <bslnav/navigation/InPlaceRotation.h>
 #include <bslnav/navigation/MrptSetup.h>
 #include <bslnav/planning/PathDistance.h>
 
 #include <optional>
 
+#include "PtgPaths.h"
 #include "RemainingTargets.h"
 
 namespace bslnav {
@@ -44,10 +46,16 @@ void BlindSpotReactiveNavigator::onStartNewNavigation() {
 }
 
 void BlindSpotReactiveNavigator::performNavigationStep() {
+  if (!parts_) {
+    doEmergencyStop("BlindSpotReactiveNavigator: loadConfigFile() was not called");
+    return;
+  }
   setSituation(nullptr);
-  PtgNavigation::performNavigationStep();
   Parts& parts = *parts_;
-  parts.lastCommand = lastVelocity();
+  braking_ = true;
+  PtgNavigation::performNavigationStep();
+  braking_ = false;
+  if (result().best >= 0) parts.lastCommand = lastVelocity();
   parts.record.dwa = result();
   parts.record.motion.command = parts.lastCommand;
   parts.record.motion.planned = true;
@@ -59,16 +67,37 @@ void BlindSpotReactiveNavigator::performNavigationStep() {
 bool BlindSpotReactiveNavigator::implementSenseObstacles(mrpt::system::TTimeStamp& stamp) {
   if (!m_robot.senseObstacles(m_WS_Obstacles, stamp)) return false;
   m_WS_Obstacles_original = m_WS_Obstacles;
-  updateSituation();
+  updateSituation(stamp);
   return true;
 }
 
-void BlindSpotReactiveNavigator::updateSituation() {
+/** Where MRPT finds no way it wants an emergency stop: the robot brakes within its limits instead.
+ */
+bool BlindSpotReactiveNavigator::stop(bool isEmergencyStop) {
+  if (!parts_ || !braking_ || failing()) {
+    if (parts_) parts_->lastCommand = {};
+    return PtgNavigation::stop(isEmergencyStop);
+  }
+  const NavigationParameters& p = parts_->parameters;
+  parts_->lastCommand = brake(commandBase(m_curPoseVel.velLocal, parts_->lastCommand, p.limits),
+                              p.limits, p.cycle.period_s);
+  const auto command = m_robot.getStopCmd();
+  setVelocity(parts_->lastCommand, *command);
+  return changeSpeeds(*command);
+}
+
+bool BlindSpotReactiveNavigator::checkHasReachedTarget(const double distance_m) const {
+  return PtgNavigation::checkHasReachedTarget(distance_m) &&
+         (m_navigationParams->target.targetIsIntermediaryWaypoint ||
+          isStanding(m_curPoseVel.velLocal));
+}
+
+void BlindSpotReactiveNavigator::updateSituation(mrpt::system::TTimeStamp obstaclesStamp) {
   Parts& parts = *parts_;
   CycleRecord& record = parts.record;
   const SensorFrame frame =
       parts.senses.frame(m_curPoseVel.pose, m_curPoseVel.velLocal, m_curPoseVel.rawOdometry,
-                         m_curPoseVel.timestamp, m_WS_Obstacles);
+                         m_curPoseVel.timestamp, m_WS_Obstacles, obstaclesStamp);
   record.time_s = frame.time_s;
   parts.surroundings.update(frame, record);
   if (record.health != CycleRecord::Health::Ok)

@@ -88,8 +88,7 @@ void CHolonomicDwa::navigate(const NavInput& ni, NavOutput& no) {
     evaluatePaths(situation_->input, nullptr);
   } else {
     const auto& state = ptg->getCurrentNavDynamicState();
-    const double reach =
-        std::max(limits_.maxSpeed_mps * parameters_.horizon_s, state.relTarget.norm()) + 1.0;
+    const double reach = limits_.maxSpeed_mps * parameters_.horizon_s + 1.0;
     const int cells = static_cast<int>(2.0 * reach / openGround_.getResolution());
     openGround_ = CostGrid(cells, cells, openGround_.getResolution(), -reach, -reach);
     const std::vector<mrpt::math::TPoint2D> noPath;  // the target is all that MRPT knows
@@ -147,6 +146,7 @@ void CHolonomicDwa::evaluatePaths(const DwaInput& input, const NavInput* stock) 
   for (std::uint16_t k = 0; k < ptg.getPathCount(); ++k) {
     const auto full = commandOf(*ptg.directionToMotionCommand(k));
     Scales scales;
+    if (full == mrpt::math::TTwist2D()) scales.high = -1.0;  // leads nowhere
     scales.keepWithin(full.vx, window.vMin, window.vMax);
     scales.keepWithin(full.vy, window.vyMin, window.vyMax);
     scales.keepWithin(full.omega, window.wMin, window.wMax);

@@ -1,17 +1,28 @@
 #include <bslnav/config/Error.h>
 #include <bslnav/navigation/DwaNavigator.h>
+#include <bslnav/navigation/InPlaceRotation.h>
 #include <bslnav/navigation/MrptSetup.h>
 #include <mrpt/maps/CSimplePointsMap.h>
+
+#include <cmath>
 
 #include "PtgPaths.h"
 #include "RemainingTargets.h"
 
 namespace bslnav {
 
+DwaNavigator::~DwaNavigator() {
+  try {
+    stop(false);
+  } catch (...) {  // a robot that cannot be told anything any more
+  }
+}
+
 void DwaNavigator::loadConfigFile(const mrpt::config::CConfigFileBase& file) {
   MrptSetup setup;
   setup.load(file);
   const std::lock_guard<std::recursive_mutex> lock(m_nav_cs);
+  targets_.clear();
   cycle_ = std::make_unique<NavigationCycle>(setup.navigation, setup.makeMap());
   CWaypointsNavigator::loadConfigFile(file);
 }
@@ -25,10 +36,35 @@ void DwaNavigator::onStartNewNavigation() {
 
 /** MRPT logs a step that failed and tries again for ever. */
 void DwaNavigator::navigationStep() {
+  const std::lock_guard<std::recursive_mutex> waypoints(m_nav_waypoints_cs);  // MRPT's order
   const std::lock_guard<std::recursive_mutex> lock(m_nav_cs);
   failed_ = false;
-  CWaypointsNavigator::navigationStep();
+  try {
+    CWaypointsNavigator::navigationStep();
+  } catch (const std::exception&) {
+    if (!failed_) throw;
+  }
   if (failed_) m_navigationState = NAV_ERROR;
+}
+
+void DwaNavigator::updateCurrentPoseAndSpeeds() {
+  try {
+    CWaypointsNavigator::updateCurrentPoseAndSpeeds();
+  } catch (const std::exception&) {
+    failed_ = true;
+    throw;
+  }
+}
+
+bool DwaNavigator::stop(bool isEmergencyStop) {
+  if (cycle_) cycle_->noteStopped();
+  return CWaypointsNavigator::stop(isEmergencyStop);
+}
+
+bool DwaNavigator::checkHasReachedTarget(const double distance_m) const {
+  return CWaypointsNavigator::checkHasReachedTarget(distance_m) &&
+         (m_navigationParams->target.targetIsIntermediaryWaypoint ||
+          isStanding(m_curPoseVel.velLocal));
 }
 
 void DwaNavigator::performNavigationStep() {
@@ -41,6 +77,7 @@ void DwaNavigator::performNavigationStep() {
 }
 
 void DwaNavigator::step() {
+  if (!cycle_) throw Error("DwaNavigator", "loadConfigFile() was not called");
   mrpt::maps::CSimplePointsMap obstacles;
   mrpt::system::TTimeStamp stamp;
   if (!m_robot.senseObstacles(obstacles, stamp))
@@ -49,7 +86,7 @@ void DwaNavigator::step() {
   if (targets != targets_) cycle_->setGoals(targets_ = targets);
   const CycleRecord& record =
       cycle_->step(senses_.frame(m_curPoseVel.pose, m_curPoseVel.velLocal, m_curPoseVel.rawOdometry,
-                                 m_curPoseVel.timestamp, obstacles));
+                                 m_curPoseVel.timestamp, obstacles, stamp));
   {
     const std::lock_guard<std::mutex> lock(recordMutex_);
     lastRecord_ = record;
@@ -74,6 +111,8 @@ Cost DwaNavigator::costAt(const mrpt::math::TPoint2D& inRobotFrame) const {
 
 /** Whether the straight way is free. */
 bool DwaNavigator::impl_waypoint_is_reachable(const mrpt::math::TPoint2D& inRobotFrame) const {
+  const std::lock_guard<std::recursive_mutex> lock(const_cast<std::recursive_mutex&>(m_nav_cs));
+  if (!cycle_ || !std::isfinite(inRobotFrame.x) || !std::isfinite(inRobotFrame.y)) return false;
   const double step_m = cycle_->surroundings().localCosts().getResolution();
   const int steps = static_cast<int>(inRobotFrame.norm() / step_m) + 1;
   for (int i = 1; i <= steps; ++i)
@@ -83,6 +122,7 @@ bool DwaNavigator::impl_waypoint_is_reachable(const mrpt::math::TPoint2D& inRobo
 
 bool DwaNavigator::checkCollisionWithLatestObstacles(
     const mrpt::math::TPose2D& inRobotFrame) const {
+  if (!cycle_) return false;
   const Cost cost = costAt({inRobotFrame.x, inRobotFrame.y});
   return cost == kInscribedCost || cost == kLethalCost;
 }

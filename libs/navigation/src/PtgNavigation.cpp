@@ -23,12 +23,12 @@ void PtgNavigation::use(const DwaParameters& dwa, const RobotLimits& limits, dou
 
 void PtgNavigation::loadConfigFile(const mrpt::config::CConfigFileBase& file) {
   CReactiveNavigationSystem::loadConfigFile(file);
-  methods_.clear();
-  for (const auto& method : m_holonomicMethod) {
-    auto* ours = dynamic_cast<CHolonomicDwa*>(method.get());
-    if (ours && evaluator_) ours->use(dwa_, limits_, controlPeriod_s_, evaluator_);
-    methods_.push_back(ours);
-  }
+  for (std::size_t i = 0; i < m_holonomicMethod.size(); ++i)
+    if (method(i) && evaluator_) method(i)->use(dwa_, limits_, controlPeriod_s_, evaluator_);
+}
+
+CHolonomicDwa* PtgNavigation::method(std::size_t ptg) const {
+  return dynamic_cast<CHolonomicDwa*>(m_holonomicMethod[ptg].get());
 }
 
 void PtgNavigation::silence() {
@@ -39,8 +39,8 @@ void PtgNavigation::silence() {
 
 void PtgNavigation::setSituation(const DwaSituation* situation) {
   situation_ = situation;
-  for (CHolonomicDwa* method : methods_)
-    if (method) method->setSituation(situation);
+  for (std::size_t i = 0; i < m_holonomicMethod.size(); ++i)
+    if (method(i)) method(i)->setSituation(situation);
 }
 
 void PtgNavigation::onStartNewNavigation() {
@@ -51,10 +51,25 @@ void PtgNavigation::onStartNewNavigation() {
 
 /** MRPT logs a step that failed and tries again for ever. */
 void PtgNavigation::navigationStep() {
+  const std::lock_guard<std::recursive_mutex> waypoints(m_nav_waypoints_cs);  // MRPT's order
   const std::lock_guard<std::recursive_mutex> lock(m_nav_cs);
   failed_ = false;
-  CReactiveNavigationSystem::navigationStep();
+  try {
+    CReactiveNavigationSystem::navigationStep();
+  } catch (const std::exception&) {
+    if (!failed_) throw;
+  }
   if (failed_) m_navigationState = NAV_ERROR;
+}
+
+void PtgNavigation::updateCurrentPoseAndSpeeds() {
+  try {
+    CReactiveNavigationSystem::updateCurrentPoseAndSpeeds();
+  } catch (const std::exception& problem) {
+    failed_ = true;
+    problem_ = problem.what();
+    throw;
+  }
 }
 
 void PtgNavigation::performNavigationStep() {
@@ -92,9 +107,9 @@ void PtgNavigation::doEmergencyStop(const std::string& message) {
 void PtgNavigation::collectResult() {
   result_.candidates.clear();
   result_.best = -1;
-  for (std::size_t i = 0; i < methods_.size(); ++i) {
-    if (!methods_[i]) continue;
-    const DwaResult& ofPtg = methods_[i]->result();
+  for (std::size_t i = 0; i < m_holonomicMethod.size(); ++i) {
+    if (!method(i)) continue;
+    const DwaResult& ofPtg = method(i)->result();
     if (chosen_ && chosen_ == getPTG(i) && ofPtg.best >= 0)
       result_.best = static_cast<int>(result_.candidates.size()) + ofPtg.best;
     result_.setup = ofPtg.setup;

@@ -35,8 +35,16 @@ void setVelocity(const mrpt::math::TTwist2D& twist, mrpt::kinematics::CVehicleVe
     drive->ang_vel = twist.omega;
   } else if (auto* holonomic = dynamic_cast<mrpt::kinematics::CVehicleVelCmd_Holo*>(&command)) {
     holonomic->vel = std::hypot(twist.vx, twist.vy);
-    holonomic->dir_local = std::atan2(twist.vy, twist.vx);
+    // MRPT turns towards the direction: of a robot that stands, that is to the side it turns to
+    holonomic->dir_local = holonomic->vel > 0.0 ? std::atan2(twist.vy, twist.vx)
+                                                : std::copysign(0.5 * M_PI, twist.omega);
     holonomic->rot_speed = twist.omega;
+    holonomic->ramp_time = 0.1;  // the limits are kept already
+  } else {
+    throw Error("robot interface",
+                "its commands are neither of a differential nor of a "
+                "holonomic robot",
+                Error::Kind::Run);
   }
 }
 
@@ -46,7 +54,8 @@ void samplePath(const mrpt::nav::CParameterizedTrajectoryGenerator& ptg, std::ui
   path.add({}, 0.0);
   TPose2D last;
   double driven_m = 0.0;
-  const auto end = static_cast<std::uint32_t>(ptg.getPathStepCount(k)) - 1;
+  const auto count = static_cast<std::uint32_t>(ptg.getPathStepCount(k));
+  const std::uint32_t end = std::max(count, 1U) - 1;
   std::uint32_t stride = 1;  // of the PTG's own steps, which may be far shorter than the spacing
   for (std::uint32_t step = 0; step < end && driven_m < reach_m;) {
     step = std::min(step + stride, end);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace bslnav {
 
@@ -26,8 +27,9 @@ CObservation2DRangeScan::Ptr scanOf(const mrpt::maps::CSimplePointsMap& points, 
     nearest[beam] = std::min(nearest[beam], std::hypot(x, y));
   }
   for (std::size_t beam = 0; beam < nearest.size(); ++beam) {
-    scan->setScanRange(beam, nearest[beam]);
-    scan->setScanRangeValidity(beam, nearest[beam] < scan->maxRange);
+    const bool hit = nearest[beam] < scan->maxRange, open = points.empty();
+    scan->setScanRange(beam, hit || open ? nearest[beam] : std::numeric_limits<float>::quiet_NaN());
+    scan->setScanRangeValidity(beam, hit);
   }
   // Beam i looks along -aperture/2 + i·step = -π(1 - 1/n) + 2πi/n; the points were sorted into
   // -π + 2πi/n.
@@ -37,7 +39,8 @@ CObservation2DRangeScan::Ptr scanOf(const mrpt::maps::CSimplePointsMap& points, 
 
 SensorFrame RobotSenses::frame(const mrpt::math::TPose2D& pose, const mrpt::math::TTwist2D& twist,
                                const mrpt::math::TPose2D& odometry, mrpt::system::TTimeStamp stamp,
-                               const mrpt::maps::CSimplePointsMap& obstacles) {
+                               const mrpt::maps::CSimplePointsMap& obstacles,
+                               mrpt::system::TTimeStamp obstaclesStamp) {
   constexpr int kBeams =
       360;  // coarser than lasers: a beam without a point between points would be a gap
   constexpr double kMaxRange_m = 50.0;
@@ -52,7 +55,7 @@ SensorFrame RobotSenses::frame(const mrpt::math::TPose2D& pose, const mrpt::math
     return frame;
   }
   auto scan = scanOf(obstacles, kBeams, kMaxRange_m);
-  scan->timestamp = stamp;
+  scan->timestamp = obstaclesStamp == INVALID_TIMESTAMP ? stamp : obstaclesStamp;
   frame.scans.push_back(scan);
   return frame;
 }

@@ -29,13 +29,17 @@ class BlindSpotReactiveNavigator : public PtgNavigation {
  protected:
   void performNavigationStep() override;
   void onStartNewNavigation() override;
+  bool stop(bool isEmergencyStop) override;
+  /** Arrived is who stands there: MRPT would end the navigation at speed. */
+  bool checkHasReachedTarget(const double distance_m) const override;
 
  private:
   bool implementSenseObstacles(mrpt::system::TTimeStamp& stamp) override;
-  void updateSituation();
+  void updateSituation(mrpt::system::TTimeStamp obstaclesStamp);
 
   struct Parts;
   std::shared_ptr<Parts> parts_;
+  bool braking_ = false;  // in a step, a stop is to be within the limits
   mutable std::mutex recordMutex_;
   CycleRecord lastRecord_;
 };

@@ -19,6 +19,8 @@ class DwaNavigator : public mrpt::nav::CWaypointsNavigator {
  public:
   explicit DwaNavigator(mrpt::nav::CRobot2NavInterface& robot)
       : CWaypointsNavigator(robot), senses_(robot) {}
+  /** Stops the robot. */
+  ~DwaNavigator() override;
 
   /** @throws Error */
   void loadConfigFile(const mrpt::config::CConfigFileBase& file) override;
@@ -31,6 +33,10 @@ class DwaNavigator : public mrpt::nav::CWaypointsNavigator {
  protected:
   void performNavigationStep() override;
   void onStartNewNavigation() override;
+  void updateCurrentPoseAndSpeeds() override;
+  bool stop(bool isEmergencyStop) override;
+  /** Arrived is who stands there: MRPT would end the navigation at speed. */
+  bool checkHasReachedTarget(const double distance_m) const override;
   bool impl_waypoint_is_reachable(const mrpt::math::TPoint2D& inRobotFrame) const override;
   bool checkCollisionWithLatestObstacles(const mrpt::math::TPose2D& inRobotFrame) const override;
 

@@ -33,6 +33,9 @@ class NavigationCycle {
   /** Runs one cycle. The record is valid until the next call. */
   const CycleRecord& step(const SensorFrame& frame);
 
+  /** Somebody else has stopped the robot: the next command starts from standstill. */
+  void noteStopped() { record_.motion.command = {}; }
+
   const Surroundings& surroundings() const { return surroundings_; }
 
  private:

@@ -39,20 +39,23 @@ class PtgNavigation : public mrpt::nav::CReactiveNavigationSystem {
   const std::string& problem() const { return problem_; }
 
  protected:
+  /** Whether this step has failed. */
+  bool failing() const { return failed_; }
   void performNavigationStep() override;
+  void updateCurrentPoseAndSpeeds() override;
   double generate_vel_cmd(const mrpt::nav::TCandidateMovementPTG& movement,
                           mrpt::kinematics::CVehicleVelCmd::Ptr& command) override;
   void doEmergencyStop(const std::string& message) override;
   void onStartNewNavigation() override;
 
  private:
+  CHolonomicDwa* method(std::size_t ptg) const;  // null when it is another kind
   void collectResult();
 
   DwaParameters dwa_;
   RobotLimits limits_;
   double controlPeriod_s_ = 0.1;
   std::shared_ptr<CandidateEvaluator> evaluator_;
-  std::vector<CHolonomicDwa*> methods_;  // by PTG; owned by MRPT
   const DwaSituation* situation_ = nullptr;
   const mrpt::nav::CParameterizedTrajectoryGenerator* chosen_ = nullptr;
   bool failed_ = false;  // in this step

@@ -18,7 +18,7 @@ class SensorSource {
 };
 
 /** The scan that a set of obstacle points around the robot makes up: in each of `beams` directions
- * the nearest point; a direction without a point says nothing. */
+ * the nearest point; a direction without a point says nothing. No point at all is an open place. */
 mrpt::obs::CObservation2DRangeScan::Ptr scanOf(const mrpt::maps::CSimplePointsMap& points,
                                                int beams, double maxRange_m);
 
@@ -29,10 +29,11 @@ class RobotSenses {
 
   /** @param pose,twist,odometry,stamp as MRPT's navigator has asked for them; twist in the robot
    * frame
-   *  @param obstacles in the robot frame */
+   *  @param obstacles in the robot frame, and when they were seen: old ones make the cycle stop */
   SensorFrame frame(const mrpt::math::TPose2D& pose, const mrpt::math::TTwist2D& twist,
                     const mrpt::math::TPose2D& odometry, mrpt::system::TTimeStamp stamp,
-                    const mrpt::maps::CSimplePointsMap& obstacles);
+                    const mrpt::maps::CSimplePointsMap& obstacles,
+                    mrpt::system::TTimeStamp obstaclesStamp);
 
  private:
   mrpt::nav::CRobot2NavInterface& robot_;
