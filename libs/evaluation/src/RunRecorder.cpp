@@ -146,7 +146,7 @@ void RunRecorder::write(const CycleRecord& r, const mrpt::math::TPose2D& truePos
       << chosenCandidate(r) << row(",%.4f,%.4f\n", r.twist.vy, r.motion.command.vy);
   if (!candidates_.is_open() || !r.motion.planned) return;
   static constexpr const char* kVerdicts[] = {"admissible", "obstacle", "unknown", "oscillation",
-                                              "out_of_window"};
+                                              "out_of_window", "guarded"};
   for (const Candidate& c : r.dwa.candidates)
     candidates_ << row("%d,%.4f,%.5f,%s,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f\n", r.index, c.v_mps,
                        c.w_radps, kVerdicts[static_cast<int>(c.verdict)], c.terms.path,

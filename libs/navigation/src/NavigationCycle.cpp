@@ -28,6 +28,9 @@ NavigationCycle::NavigationCycle(const NavigationParameters& parameters,
                      makeLocalPlanner(parameters, surroundings_.footprintCover()),
                      parameters.limits, surroundings_.footprintCover(), parameters.cycle.period_s) {
   record_.index = -1;
+  if (parameters.guard.enabled)
+    guard_.emplace(parameters.guard, parameters.limits,
+                   parameters.footprint.circumscribedRadius_m(), parameters.cycle.period_s);
 }
 
 void NavigationCycle::setGoals(std::vector<mrpt::math::TPose2D> goals) {
@@ -44,6 +47,7 @@ const CycleRecord& NavigationCycle::step(const SensorFrame& frame) {
   record_.motion = {};
   record_.motion.command = brake(base, limits_, period_s_);
   record_.replanned = false;
+  record_.guard = {};
   if (record_.health != CycleRecord::Health::Ok) {
     motionPlanner_.forgetProgress();
   } else if (route_.empty()) {
@@ -54,14 +58,22 @@ const CycleRecord& NavigationCycle::step(const SensorFrame& frame) {
     route_.update(surroundings_, motionPlanner_.wantsReplan(), record_);
     record_.times.globalPlan_s = stage.Tac();
     stage.Tic();
-    record_.motion = motionPlanner_.step({record_.time_s, record_.mapFromRobot, record_.twist, base,
-                                          record_.path, route_.goal(), route_.passWithin_m()},
-                                         surroundings_.localCosts());
-    if (record_.motion.planned) record_.dwa = motionPlanner_.dwa();
+    move(base);
     record_.times.motion_s = stage.Tac();
   }
   record_.times.total_s = whole.Tac();
   return record_;
+}
+
+void NavigationCycle::move(const mrpt::math::TTwist2D& base) {
+  const People* people = surroundings_.people();
+  const Guard* guard =
+      guard_ ? &guard_->begin(record_, people->frontier(), people->stamp_s()) : nullptr;
+  record_.motion = motionPlanner_.step({record_.time_s, record_.mapFromRobot, record_.twist, base,
+                                        record_.path, route_.goal(), route_.passWithin_m(), guard},
+                                       surroundings_.localCosts());
+  if (record_.motion.planned) record_.dwa = motionPlanner_.dwa();
+  if (guard_) guard_->finish(base, people->frontier(), record_);
 }
 
 mrpt::math::TTwist2D NavigationCycle::commandBase(const mrpt::math::TTwist2D& measured) const {

@@ -45,6 +45,11 @@ void NavigationParameters::bind(Config& config) {
   config.bind("depth_clusters", "Blind spots from clusters of depth points (paper V-B).",
               depthClusters);
   config.bind("danger_zone", "The cost around a blind spot (paper IV-B, table I).", dangerZone);
+  config.bind("guard", "Only velocities from which the robot can stop for whoever steps out.", guard);
+  config.bind("hidden_people", "Where somebody may be whom no sensor sees; for the guard.",
+              hiddenPeople);
+  config.bind("seen_people", "Who of what the map does not explain may walk off; for the guard.",
+              seenPeople);
   config.bind("global_planner", "A* on static, obstacle and inflation costs.", globalPlanner);
   config.bind("navigator", "The engine that chooses velocities.", navigator);
   config.bind("dwa", "Dynamic window approach with the paper's cost function (eq. 10, table I).",

@@ -1,4 +1,5 @@
 #include <bslnav/navigation/Route.h>
+#include <bslnav/planning/GuardCosts.h>
 
 #include <algorithm>
 #include <cmath>
@@ -57,10 +58,20 @@ void Route::plan(const Surroundings& surroundings, CycleRecord& record) {
   const TPoint2D goal{goals_[nextGoal_].x, goals_[nextGoal_].y};
   const TPoint2D reachable = withinReach(goal, robot, surroundings);
   pathCutShort_ = (reachable - goal).norm() > 0.0;
-  const PathResult path = globalPlanner_.plan(surroundings.planningCosts(), robot, reachable);
+  const PathResult path = globalPlanner_.plan(costsFor(surroundings), robot, reachable);
   record.pathStatus = path.status;
   record.goalMoved = path.goalMoved;
   record.path.assign(path.points.begin(), path.points.end());
+}
+
+/** With a guard, places near to what nobody can see into cost the time that passing them slowly
+ * takes. */
+const CostGrid& Route::costsFor(const Surroundings& surroundings) {
+  if (!surroundings.people()) return surroundings.planningCosts();
+  guardedCosts_ = surroundings.planningCosts();
+  addGuardCosts(surroundings.people()->frontier(), guard_, ability_, maxSpeed_mps_, costWeight_,
+                guardedCosts_);
+  return guardedCosts_;
 }
 
 TPoint2D Route::withinReach(const TPoint2D& goal, const TPoint2D& robot,

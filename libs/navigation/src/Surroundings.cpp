@@ -3,6 +3,7 @@
 #include <mrpt/core/Clock.h>
 #include <mrpt/system/CTicTac.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace bslnav {
@@ -31,6 +32,9 @@ Surroundings::Surroundings(const NavigationParameters& parameters,
       scanJumps_(parameters.scanJumps),
       depthClusters_(parameters.depthClusters),
       depthCameras_(parameters.depth.obstacles) {
+  if (parameters.guard.enabled)
+    people_.emplace(parameters.hiddenPeople, parameters.seenPeople,
+                    parameters.footprint.circumscribedRadius_m(), map, parameters.costmap.map);
   if (map) global_.emplace(parameters.costmap, parameters.footprint, map, Extent::WholeMap);
   parameters_.dangerZone.deceleration_mps2 = parameters_.limits.deceleration_mps2;
 }
@@ -57,6 +61,15 @@ void Surroundings::update(const SensorFrame& frame, CycleRecord& record) {
   local_.update(record.mapFromRobot, scans_, record.dangerZones, depthScans);
   if (global_) global_->update(record.mapFromRobot, scans_, {}, depthScans);
   record.times.costmap_s = seconds(stage);
+  if (people_) findPeople(frame, record);
+  record.times.people_s = seconds(stage);
+}
+
+void Surroundings::findPeople(const SensorFrame& frame, const CycleRecord& record) {
+  double oldest_s = frame.time_s;
+  for (const auto& scan : frame.scans)
+    oldest_s = std::min(oldest_s, mrpt::Clock::toDouble(scan->timestamp) - frame.startTime_s);
+  people_->update(scans_, oldest_s, record.mapFromRobot, parameters_.guard.personSpeed_mps);
 }
 
 CycleRecord::Health Surroundings::takeOver(const SensorFrame& frame, CycleRecord& record) {

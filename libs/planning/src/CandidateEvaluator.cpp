@@ -59,24 +59,31 @@ void CandidateEvaluator::begin(const DwaInput& input, const CostGrid& costs) {
   goalCost_ = goalCost <= kHighestGradedCost ? goalCost : kFreeCost;
   twist_ = input.twist;
   costs_ = &costs;
+  guard_ = input.guard;
 }
 
 void CandidateEvaluator::evaluate(Candidate& candidate) const {
-  if (mayTurn(candidate)) judge(candidate, rollOut(candidate.twist(), setup_, *costs_, footprint_));
+  if (mayDrive(candidate)) judge(candidate, rollOut(candidate.twist(), setup_, *costs_, footprint_));
 }
 
 void CandidateEvaluator::evaluate(Candidate& candidate, const SampledPath& path,
                                   double reach_m) const {
-  if (mayTurn(candidate)) judge(candidate, rollOut(path, reach_m, setup_, *costs_, footprint_));
+  if (mayDrive(candidate)) judge(candidate, rollOut(path, reach_m, setup_, *costs_, footprint_));
 }
 
-/** Whether it does not turn back on the spot; says so in the candidate if it does. */
-bool CandidateEvaluator::mayTurn(Candidate& candidate) const {
+/** Whether it neither turns back on the spot nor is refused by the guard; says so in the candidate
+ * otherwise. */
+bool CandidateEvaluator::mayDrive(Candidate& candidate) const {
   candidate.terms = {};
   candidate.total = 0.0;
   candidate.steps = 0;
-  if (oscillation_.allows(candidate.speed_mps(), candidate.w_radps)) return true;
-  candidate.verdict = Candidate::Verdict::Oscillation;
+  const bool turnsBack = !oscillation_.allows(candidate.speed_mps(), candidate.w_radps);
+  if (turnsBack)
+    candidate.verdict = Candidate::Verdict::Oscillation;
+  else if (guard_ && !guard_->admitsTowards(candidate.twist(), twist_))
+    candidate.verdict = Candidate::Verdict::Guarded;
+  else
+    return true;
   return false;
 }
 

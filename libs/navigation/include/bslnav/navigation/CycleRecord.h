@@ -2,6 +2,7 @@
 
 #include <bslnav/blindspot/BlindSpot.h>
 #include <bslnav/costmap/DangerZone.h>
+#include <bslnav/navigation/GuardRecord.h>
 #include <bslnav/navigation/MotionPlanner.h>
 #include <bslnav/planning/GlobalPlanner.h>
 
@@ -13,7 +14,8 @@ namespace bslnav {
 /** Wall-clock time of each stage of a cycle [s]; the only part of a record that differs from run to
  * run. */
 struct StageTimes {
-  double blindSpots_s = 0, costmap_s = 0, globalPlan_s = 0, motion_s = 0, total_s = 0;
+  double blindSpots_s = 0, costmap_s = 0, people_s = 0, globalPlan_s = 0, motion_s = 0,
+         total_s = 0;
 };
 
 /** Everything one control cycle saw, considered and decided. */
@@ -37,6 +39,7 @@ struct CycleRecord {
   bool goalMoved = false;  ///< the path leads to the nearest reachable place instead
   Motion motion;           ///< the command is `motion.command`
   DwaResult dwa;           ///< every candidate; belongs to this cycle when motion.planned
+  GuardRecord guard;       ///< the certificate of the command
   StageTimes times;
 };
 

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <bslnav/navigation/MotionGuard.h>
 #include <bslnav/navigation/Route.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,6 +41,7 @@ class NavigationCycle {
   const Surroundings& surroundings() const { return surroundings_; }
 
  private:
+  void move(const mrpt::math::TTwist2D& base);
   mrpt::math::TTwist2D commandBase(const mrpt::math::TTwist2D& measured) const;
 
   RobotLimits limits_;
@@ -46,6 +49,7 @@ class NavigationCycle {
   Surroundings surroundings_;
   Route route_;
   MotionPlanner motionPlanner_;
+  std::optional<MotionGuard> guard_;
   CycleRecord record_;
 };
 

@@ -2,7 +2,9 @@
 
 #include <bslnav/blindspot/DangerZones.h>
 #include <bslnav/blindspot/DepthClusters.h>
+#include <bslnav/blindspot/HiddenPeople.h>
 #include <bslnav/blindspot/ScanJumpDetector.h>
+#include <bslnav/blindspot/SeenPeople.h>
 #include <bslnav/config/Config.h>
 #include <bslnav/costmap/DepthScan.h>
 #include <bslnav/costmap/LayeredCostmap.h>
@@ -10,6 +12,7 @@
 #include <bslnav/navigation/NavigatorParameters.h>
 #include <bslnav/planning/DwaParameters.h>
 #include <bslnav/planning/GlobalPlanner.h>
+#include <bslnav/planning/Guard.h>
 
 #include <string>
 
@@ -62,6 +65,9 @@ struct NavigationParameters {
   ScanJumpParameters scanJumps;
   DepthClusterParameters depthClusters;
   DangerZoneParameters dangerZone;
+  GuardParameters guard;
+  HiddenPeopleParameters hiddenPeople;
+  SeenPeopleParameters seenPeople;
   GlobalPlannerParameters globalPlanner;
   NavigatorParameters navigator;
   DwaParameters dwa;

@@ -14,7 +14,12 @@ class Route {
       : parameters_(parameters.cycle),
         costmap_(parameters.costmap),
         lookahead_m_(parameters.motion.lookahead_m),
-        globalPlanner_(parameters.globalPlanner) {}
+        globalPlanner_(parameters.globalPlanner),
+        costWeight_(parameters.globalPlanner.costWeight),
+        guard_(parameters.guard),
+        maxSpeed_mps_(parameters.limits.maxSpeed_mps),
+        ability_{parameters.footprint.circumscribedRadius_m(), parameters.limits.deceleration_mps2,
+                 parameters.cycle.period_s + parameters.guard.latency_s} {}
 
   /** Poses in the map frame; the robot passes all but the last one without stopping. */
   void setGoals(std::vector<mrpt::math::TPose2D> goals);
@@ -31,6 +36,7 @@ class Route {
 
  private:
   void advanceWaypoint(const CycleRecord& record);
+  const CostGrid& costsFor(const Surroundings& surroundings);
   bool needsPath(const CycleRecord& record) const;
   void plan(const Surroundings& surroundings, CycleRecord& record);
   mrpt::math::TPoint2D withinReach(const mrpt::math::TPoint2D& goal,
@@ -41,6 +47,11 @@ class Route {
   CostmapParameters costmap_;
   double lookahead_m_;
   GlobalPlanner globalPlanner_;
+  double costWeight_;
+  GuardParameters guard_;
+  double maxSpeed_mps_;
+  StoppingAbility ability_;
+  CostGrid guardedCosts_;
   std::vector<mrpt::math::TPose2D> goals_;
   std::size_t nextGoal_ = 0;
   bool goalsChanged_ = false;

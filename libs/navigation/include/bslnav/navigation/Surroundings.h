@@ -4,6 +4,7 @@
 #include <bslnav/navigation/CycleRecord.h>
 #include <bslnav/navigation/DepthCameras.h>
 #include <bslnav/navigation/NavigationParameters.h>
+#include <bslnav/navigation/People.h>
 #include <bslnav/navigation/SensorFrame.h>
 #include <bslnav/navigation/SensorWatch.h>
 
@@ -33,6 +34,8 @@ class Surroundings {
   const DepthClusterDetector& depthClusters() const { return depthClusters_; }
   /** The depth images that it was made of, in the robot frame of that cycle; empty without. */
   const std::vector<const DepthFrame*>& depthFrames() const { return depthCameras_.frames(); }
+  /** Who may step in the robot's way; null unless the guard is enabled. */
+  const People* people() const { return people_ ? &*people_ : nullptr; }
   const CostGrid& localCosts() const { return local_.costs(); }
   /** What the global planner plans on: the whole map, or without a map the local costs without
    * blind spots. */
@@ -48,12 +51,14 @@ class Surroundings {
   bool takeOverScans(const SensorFrame& frame, CycleRecord& record);
   void takeOverDepth(const SensorFrame& frame, CycleRecord& record);
   void resizeScans(std::size_t count);
+  void findPeople(const SensorFrame& frame, const CycleRecord& record);
   void findBlindSpots(CycleRecord& record);
   const std::vector<BlindSpot>* newBlindSpots(double time_s);
 
   NavigationParameters parameters_;
   LayeredCostmap local_;
   std::optional<LayeredCostmap> global_;  // only with a map
+  std::optional<People> people_;          // only with the guard
   ScanJumpDetector scanJumps_;
   DepthClusterDetector depthClusters_;
   DepthCameras depthCameras_;

@@ -34,7 +34,7 @@ class CandidateEvaluator {
   void reset() { oscillation_.reset(); }
 
  private:
-  bool mayTurn(Candidate& candidate) const;
+  bool mayDrive(Candidate& candidate) const;
   const Candidate& calmest(const std::vector<Candidate>& candidates, const Candidate& best) const;
   void judge(Candidate& candidate, const RolloutOutcome& rollout) const;
 
@@ -47,6 +47,7 @@ class CandidateEvaluator {
   RolloutSetup setup_;
   mrpt::math::TTwist2D twist_;  // that the robot has now
   const CostGrid* costs_ = nullptr;
+  const Guard* guard_ = nullptr;
 };
 
 /** The highest speed that is wanted now: the robot does not creep towards a goal, nor overshoot it.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <bslnav/planning/CostTerms.h>
+#include <bslnav/planning/Guard.h>
 #include <bslnav/planning/RobotLimits.h>
 #include <bslnav/planning/Rollout.h>
 #include <mrpt/math/TTwist2D.h>
@@ -17,11 +18,19 @@ struct DwaInput {
   mrpt::math::TPoint2D goal;                      ///< local goal, map frame
   double goalTolerance_m = 0.0;  ///< above 0: a rollout that comes this near has reached the goal
   bool stopsAtGoal = true;       ///< with a tolerance: whether the robot is to stop there
+  const Guard* guard = nullptr;  ///< what it refuses is not driven; null: anything may be
 };
 
 /** One velocity that was considered, with all that was thought of it. */
 struct Candidate {
-  enum class Verdict : std::uint8_t { Admissible, Obstacle, Unknown, Oscillation, OutOfWindow };
+  enum class Verdict : std::uint8_t {
+    Admissible,
+    Obstacle,
+    Unknown,
+    Oscillation,
+    OutOfWindow,
+    Guarded  ///< somebody who may step out could reach the robot before it stands
+  };
   double v_mps = 0.0, w_radps = 0.0;
   double vy_mps = 0.0;  ///< to the left
   CostTerms terms;      ///< zero unless admissible

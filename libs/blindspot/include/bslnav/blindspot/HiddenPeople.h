@@ -1,0 +1,93 @@
+#pragma once
+
+#include <bslnav/blindspot/Frontier.h>
+#include <bslnav/blindspot/ScanView.h>
+#include <bslnav/config/ConfigSection.h>
+#include <bslnav/costmap/CostGrid.h>
+#include <bslnav/costmap/StaticLayer.h>
+#include <mrpt/math/TPose2D.h>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace bslnav {
+
+struct HiddenPeopleParameters {
+  /** What is where no sensor looks. */
+  enum class OutsideView : std::uint8_t {
+    Free,       ///< nobody comes from there
+    Remembered  ///< whoever can have got there since it was seen empty
+  };
+  double radius_m = 0.25;  ///< r_p: of the smallest disc that a person covers
+  double gap_m = 0.4;      ///< nobody comes out between two hits that are nearer to each other
+  double reach_m = 4.0;    ///< farther from the robot nobody matters
+  double resolution_m = 0.05;
+  double lookMemory_s = 0.5;  ///< a direction counts as looked at for so long
+  OutsideView outsideView = OutsideView::Free;
+
+  void describe(ConfigSection& section);
+};
+
+/** Where somebody may be whom no sensor sees: a grid around the robot that remembers.
+ *
+ * A cell is possible if a person who walks at most at some speed can have got there from a place
+ * not seen since, and can stand there unseen: a disc of a person's radius fits into what is neither
+ * seen now nor solid in the map. The edge of the possible cells towards what is seen empty is the
+ * frontier: from there, people step out.
+ *
+ * The grid holds points of people's bodies, not their centres. Its cells are those whose centres
+ * are seen or not, so the frontier is exact to 0.71 cells. */
+class HiddenPeople {
+ public:
+  /** @param map static map whose occupied cells hold nobody, or null
+   *  @param bodyRadius_m of the robot: where it stands there is nobody else */
+  HiddenPeople(const HiddenPeopleParameters& parameters, double bodyRadius_m,
+               const std::shared_ptr<const mrpt::maps::COccupancyGridMap2D>& map,
+               const StaticParameters& mapThresholds);
+
+  /** Takes in what was seen; without scans nothing changes. No allocation in the steady state.
+   *  @param scans in the robot frame of `mapFromRobot`
+   *  @param stamp_s when the oldest of them was taken; the state is that of this time
+   *  @param personSpeed_mps how fast people walk at most */
+  void update(const std::vector<const PlanarScan*>& scans, double stamp_s,
+              const mrpt::math::TPose2D& mapFromRobot, double personSpeed_mps);
+
+  /** Points between possible and seen cells, map frame. */
+  const Frontier& frontier() const { return frontier_; }
+  /** The time that the state is of. */
+  double stamp_s() const { return stamp_s_; }
+  /** 255 where somebody may be, else 0. */
+  const CostGrid& possible() const { return possible_; }
+  /** 255 where the map is occupied, else 0. */
+  const CostGrid& solid() const { return solid_; }
+  /** 255 where the last scans saw that nobody is, else 0. */
+  const CostGrid& seen() const { return seen_; }
+
+ private:
+  void recentre(const mrpt::math::TPose2D& mapFromRobot);
+  void look(const ScanView& view, const mrpt::math::TPose2D& mapFromRobot);
+  void noteLooks(const ScanView& view);
+  void markSurfaces(const ScanView& view, const mrpt::math::TPose2D& mapFromRobot);
+  void grow(double distance_m);
+  void forgetOutsideView(const mrpt::math::TPose2D& mapFromRobot);
+  void keepWhereSomebodyFits();
+  void clearRobot(const mrpt::math::TPose2D& mapFromRobot);
+  void findFrontier();
+
+  HiddenPeopleParameters parameters_;
+  double bodyRadius_m_;
+  std::optional<StaticLayer> static_;
+  CostGrid possible_, seen_, surface_, solid_, work_;
+  std::vector<unsigned char> personDisc_;  // structuring element, personCells_² bytes
+  int personCells_ = 1;
+  ScanView view_;
+  std::vector<int> directions_;  // of the cells of a row
+  std::vector<float> squared_;   // their squared distances
+  std::vector<double> lookedAt_s_;
+  double stamp_s_ = 0.0, owed_m_ = 0.0;  // growth that is still owed
+  bool started_ = false, square_ = false;
+  Frontier frontier_;
+};
+
+}  // namespace bslnav

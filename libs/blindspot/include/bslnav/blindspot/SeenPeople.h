@@ -1,0 +1,78 @@
+#pragma once
+
+#include <bslnav/blindspot/Frontier.h>
+#include <bslnav/config/ConfigSection.h>
+#include <bslnav/costmap/CostGrid.h>
+#include <bslnav/costmap/PlanarScan.h>
+#include <mrpt/math/TPose2D.h>
+
+#include <vector>
+
+namespace bslnav {
+
+struct SeenPeopleParameters {
+  double clusterGap_m = 0.3;    ///< hits this near are of one thing
+  double mapTolerance_m = 0.2;  ///< a hit this near to an occupied cell of the map is the map's
+  double narrowest_m = 0.2, widest_m = 0.9;  ///< of what may be a person
+  double standing_s = 1.0;       ///< what else stands still for so long is an obstacle
+  double stillWithin_m = 0.12;   ///< the middle of what stands still stays within this distance
+
+  void describe(ConfigSection& section);
+};
+
+/** Something that the map does not explain, followed from scan to scan. */
+struct Track {
+  int id = 0;
+  mrpt::math::TPoint2D position, velocity;  ///< of the middle of what is seen; map frame
+  double width_m = 0.0;                     ///< the greatest that was seen of it
+  double firstSeen_s = 0.0, lastSeen_s = 0.0;
+  double stillSince_s = 0.0;
+  mrpt::math::TPoint2D stoodAt;
+  bool hasMoved = false;  ///< it walked once
+  bool mayWalk = true;    ///< whether it counts as a person
+};
+
+/** Tells people from obstacles among what the map does not explain.
+ *
+ * A thing as wide as a person may walk off at any time. What is narrower or wider is an obstacle
+ * once it has stood still for a while, unless it was seen to move; without a map, walls are such
+ * obstacles. Hits are joined to things in the order of the beams, things to tracks by nearness, and
+ * velocities are smoothed. */
+class SeenPeople {
+ public:
+  explicit SeenPeople(const SeenPeopleParameters& parameters) : parameters_(parameters) {}
+
+  /** @param scans in the robot frame of `mapFromRobot`
+   *  @param solid 255 where the map is occupied, around the robot
+   *  @param personSpeed_mps how fast people walk at most */
+  void update(const std::vector<const PlanarScan*>& scans, double stamp_s,
+              const mrpt::math::TPose2D& mapFromRobot, const CostGrid& solid,
+              double personSpeed_mps);
+
+  /** The points seen of all who may walk, map frame. */
+  const Frontier& frontier() const { return frontier_; }
+  /** All that is followed, people and obstacles. */
+  const std::vector<Track>& tracks() const { return tracks_; }
+
+ private:
+  struct Thing {
+    std::size_t first, count;  // of points_
+    mrpt::math::TPoint2D middle;
+    double width_m;
+  };
+
+  void findThings(const PlanarScan& scan, const mrpt::math::TPose2D& mapFromRobot,
+                  const CostGrid& solid);
+  void addThing(std::size_t first);
+  Track& trackOf(const Thing& thing, double stamp_s, double personSpeed_mps);
+  void follow(Track& track, const Thing& thing, double stamp_s) const;
+
+  SeenPeopleParameters parameters_;
+  std::vector<mrpt::math::TPoint2D> points_;
+  std::vector<Thing> things_;
+  std::vector<Track> tracks_;
+  int nextId_ = 1;
+  Frontier frontier_;
+};
+
+}  // namespace bslnav

@@ -1,0 +1,251 @@
+#include <bslnav/blindspot/HiddenPeople.h>
+#include <bslnav/config/VectorClones.h>
+#include <mrpt/maps/COccupancyGridMap2D.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <opencv2/imgproc.hpp>
+
+namespace bslnav {
+namespace {
+
+constexpr Cost kYes = 255, kNo = 0;
+
+cv::Mat imageOf(CostGrid& grid) {
+  return {grid.height(), grid.width(), CV_8U, grid.row(0)};
+}
+
+void fill(CostGrid& grid, Cost value) {
+  std::fill(grid.row(0), grid.row(0) + std::ptrdiff_t{grid.width()} * grid.height(), value);
+}
+
+std::optional<StaticLayer> staticLayer(const mrpt::maps::COccupancyGridMap2D* map,
+                                       double resolution_m, const StaticParameters& thresholds) {
+  if (!map) return std::nullopt;
+  return StaticLayer(*map, resolution_m, thresholds);
+}
+
+/** Squared lengths and directions (indices as ScanView's) of the vectors (x0 + i·step, y), turned
+ * by `offset` directions; the arc tangent is exact to 1e-5 rad (Hastings' polynomial). */
+BSLNAV_VECTOR_CLONES
+void polar(float x0, float y, float step, float offset, int count, int* directions,
+           float* squared) {
+  constexpr float kPerTurn = ScanView::kDirections, kPerRadian = kPerTurn / (2.0f * 3.14159265f);
+  for (int i = 0; i < count; ++i) {
+    const float x = x0 + step * static_cast<float>(i);
+    const float ax = std::abs(x), ay = std::abs(y);
+    const float low = ax < ay ? ax : ay, high = ax < ay ? ay : ax;
+    const float t = low / (high + 1e-9f), t2 = t * t;
+    float a = t * (0.99997726f +
+                   t2 * (-0.33262347f +
+                         t2 * (0.19354346f +
+                               t2 * (-0.11643287f + t2 * (0.05265332f - 0.01172120f * t2)))));
+    a = ax < ay ? 1.57079633f - a : a;
+    a = x < 0.0f ? 3.14159265f - a : a;
+    a = y < 0.0f ? -a : a;
+    // Two turns are added, so that cutting off rounds down.
+    directions[i] = static_cast<int>(a * kPerRadian + offset + 2.5f * kPerTurn) &
+                    (ScanView::kDirections - 1);
+    squared[i] = x * x + y * y;
+  }
+}
+
+}  // namespace
+
+void HiddenPeopleParameters::describe(ConfigSection& section) {
+  section.number("person_radius_m", radius_m, {0.05, 1.0}, "m",
+                 "radius of the smallest disc that a person covers: nobody hides where it does not "
+                 "fit");
+  section.number("gap_m", gap_m, {0.0, 2.0}, "m",
+                 "nobody comes out between two neighbouring hits nearer to each other");
+  section.number("reach_m", reach_m, {1.0, 20.0}, "m",
+                 "how far from the robot hidden people matter, to each side");
+  section.number("resolution_m", resolution_m, {0.01, 0.5}, "m", "side of a cell");
+  section.number("look_memory_s", lookMemory_s, kNonNegative, "s",
+                 "a direction counts as looked at for so long");
+  section.choice("outside_view", outsideView,
+                 {{"free", OutsideView::Free}, {"remembered", OutsideView::Remembered}},
+                 "who comes from where no sensor looks: nobody, or whoever can have got there "
+                 "since it was seen empty");
+}
+
+HiddenPeople::HiddenPeople(const HiddenPeopleParameters& parameters, double bodyRadius_m,
+                           const std::shared_ptr<const mrpt::maps::COccupancyGridMap2D>& map,
+                           const StaticParameters& mapThresholds)
+    : parameters_(parameters),
+      bodyRadius_m_(bodyRadius_m),
+      static_(staticLayer(map.get(), parameters.resolution_m, mapThresholds)),
+      lookedAt_s_(ScanView::kDirections, std::numeric_limits<double>::lowest()) {
+  const double r = parameters.resolution_m;
+  const int half = static_cast<int>(std::ceil(parameters.reach_m / r));
+  possible_ = CostGrid(2 * half + 1, 2 * half + 1, r, -half * r, -half * r, kYes);
+  seen_ = surface_ = solid_ = work_ = possible_;
+  fill(solid_, kNo);
+  directions_.resize(possible_.getSizeX());
+  squared_.resize(possible_.getSizeX());
+  // Rounded down: a person fits rather into too little than not into what is enough.
+  const int person = std::max(0, static_cast<int>(std::floor(parameters.radius_m / r - 0.5)));
+  personCells_ = 2 * person + 1;
+  for (int y = -person; y <= person; ++y)
+    for (int x = -person; x <= person; ++x)
+      personDisc_.push_back(x * x + y * y <= person * person ? 1 : 0);
+}
+
+void HiddenPeople::update(const std::vector<const PlanarScan*>& scans, double stamp_s,
+                          const mrpt::math::TPose2D& mapFromRobot, double personSpeed_mps) {
+  if (scans.empty()) return;
+  const double elapsed_s = started_ ? std::max(0.0, stamp_s - stamp_s_) : 0.0;
+  stamp_s_ = started_ ? std::max(stamp_s, stamp_s_) : stamp_s;
+  recentre(mapFromRobot);
+  started_ = true;
+  fill(seen_, kNo);
+  fill(surface_, kNo);
+  for (const PlanarScan* scan : scans) {
+    view_.assign(*scan, parameters_.gap_m);
+    noteLooks(view_);
+    look(view_, mapFromRobot);
+    markSurfaces(view_, mapFromRobot);
+  }
+  grow(personSpeed_mps * elapsed_s);
+  if (parameters_.outsideView == HiddenPeopleParameters::OutsideView::Free)
+    forgetOutsideView(mapFromRobot);
+  keepWhereSomebodyFits();
+  clearRobot(mapFromRobot);
+  findFrontier();
+}
+
+void HiddenPeople::recentre(const mrpt::math::TPose2D& mapFromRobot) {
+  const int half = possible_.width() / 2;
+  const int dx = possible_.cellX(mapFromRobot.x) - half;
+  const int dy = possible_.cellY(mapFromRobot.y) - half;
+  if (dx == 0 && dy == 0 && started_) return;
+  for (CostGrid* grid : {&possible_, &seen_, &surface_, &solid_, &work_})
+    grid->shift(dx, dy, kYes);
+  if (!static_) {
+    fill(solid_, kNo);
+    return;
+  }
+  static_->copyTo(solid_, solid_.bounds());
+  cv::Mat solid = imageOf(solid_);
+  cv::compare(solid, kLethalCost, solid, cv::CMP_EQ);
+}
+
+void HiddenPeople::look(const ScanView& view, const mrpt::math::TPose2D& mapFromRobot) {
+  const auto eye = mapFromRobot.composePoint({view.origin().x, view.origin().y});
+  const auto step = static_cast<float>(parameters_.resolution_m);
+  const auto offset = static_cast<float>(-mapFromRobot.phi * ScanView::kDirections / (2.0 * M_PI));
+  const int width = seen_.width();
+  for (int y = 0; y < seen_.height(); ++y) {
+    polar(static_cast<float>(seen_.idx2x(0) - eye.x), static_cast<float>(seen_.idx2y(y) - eye.y),
+          step, offset, width, directions_.data(), squared_.data());
+    Cost* row = seen_.row(y);
+    for (int x = 0; x < width; ++x) {
+      const auto i = static_cast<std::size_t>(x);
+      row[x] = static_cast<Cost>(row[x] |
+                                 (squared_[i] < view.squaredReach(directions_[i]) ? kYes : kNo));
+    }
+  }
+}
+
+void HiddenPeople::noteLooks(const ScanView& view) {
+  for (int i = 0; i < ScanView::kDirections; ++i)
+    if (view.looks(i)) lookedAt_s_[static_cast<std::size_t>(i)] = stamp_s_;
+}
+
+void HiddenPeople::markSurfaces(const ScanView& view, const mrpt::math::TPose2D& mapFromRobot) {
+  const auto r = static_cast<float>(parameters_.resolution_m);
+  const auto c = static_cast<float>(std::cos(mapFromRobot.phi));
+  const auto s = static_cast<float>(std::sin(mapFromRobot.phi));
+  const auto x0 = static_cast<float>((mapFromRobot.x - surface_.getXMin()) / r);
+  const auto y0 = static_cast<float>((mapFromRobot.y - surface_.getYMin()) / r);
+  for (const auto& piece : view.surfaces()) {
+    const float dx = piece.to.x - piece.from.x, dy = piece.to.y - piece.from.y;
+    const int steps = 1 + static_cast<int>(4.0f * std::sqrt(dx * dx + dy * dy) / r);
+    for (int k = 0; k <= steps; ++k) {
+      const float part = static_cast<float>(k) / static_cast<float>(steps);
+      const float px = piece.from.x + part * dx, py = piece.from.y + part * dy;
+      const int x = static_cast<int>(std::floor(x0 + (c * px - s * py) / r));
+      const int y = static_cast<int>(std::floor(y0 + (s * px + c * py) / r));
+      if (surface_.bounds().contains(x, y)) surface_.at(x, y) = kYes;
+    }
+  }
+}
+
+/** People walk on, through everything but walls, and may come in at the edge of the grid. Cells are taken before they are reached, never
+ * after; steps along four and eight neighbours take turns, whose octagon holds the circle. */
+void HiddenPeople::grow(double distance_m) {
+  cv::Mat possible = imageOf(possible_), solid = imageOf(solid_), surface = imageOf(surface_);
+  static const cv::Mat kSquare = cv::Mat::ones(3, 3, CV_8U);
+  static const cv::Mat kCross = cv::getStructuringElement(cv::MORPH_CROSS, {3, 3});
+  cv::Mat work = imageOf(work_);
+  cv::bitwise_or(solid, surface, work);
+  cv::bitwise_not(work, work);
+  owed_m_ += distance_m;
+  cv::rectangle(possible, {0, 0}, {possible.cols - 1, possible.rows - 1}, cv::Scalar(kYes));
+  // Farther than the window is wide, everything is reached.
+  const double most_m = possible_.width() * parameters_.resolution_m;
+  for (owed_m_ = std::min(owed_m_, most_m); owed_m_ > 0.0; owed_m_ -= parameters_.resolution_m) {
+    cv::dilate(possible, possible, square_ ? kSquare : kCross);
+    cv::bitwise_and(possible, work, possible);
+    square_ = !square_;
+  }
+  cv::bitwise_and(possible, work, possible);
+}
+
+void HiddenPeople::forgetOutsideView(const mrpt::math::TPose2D& mapFromRobot) {
+  const double oldest_s = stamp_s_ - parameters_.lookMemory_s;
+  const auto looksAway = [oldest_s](double time_s) { return time_s < oldest_s; };
+  if (std::none_of(lookedAt_s_.begin(), lookedAt_s_.end(), looksAway)) return;
+  const auto offset = static_cast<float>(-mapFromRobot.phi * ScanView::kDirections / (2.0 * M_PI));
+  for (int y = 0; y < possible_.height(); ++y) {
+    polar(static_cast<float>(possible_.idx2x(0) - mapFromRobot.x),
+          static_cast<float>(possible_.idx2y(y) - mapFromRobot.y),
+          static_cast<float>(parameters_.resolution_m), offset, possible_.width(),
+          directions_.data(), squared_.data());
+    Cost* row = possible_.row(y);
+    for (int x = 0; x < possible_.width(); ++x) {
+      const int direction = directions_[static_cast<std::size_t>(x)];
+      if (looksAway(lookedAt_s_[static_cast<std::size_t>(direction)])) row[x] = kNo;
+    }
+  }
+}
+
+void HiddenPeople::keepWhereSomebodyFits() {
+  cv::Mat seen = imageOf(seen_), solid = imageOf(solid_), possible = imageOf(possible_);
+  cv::Mat room = imageOf(work_);
+  cv::bitwise_or(seen, solid, room);
+  cv::bitwise_not(room, room);
+  const cv::Mat person(personCells_, personCells_, CV_8U, personDisc_.data());
+  cv::morphologyEx(room, room, cv::MORPH_OPEN, person);
+  cv::bitwise_and(possible, room, possible);
+}
+
+void HiddenPeople::clearRobot(const mrpt::math::TPose2D& mapFromRobot) {
+  const int reach = 1 + static_cast<int>(bodyRadius_m_ / parameters_.resolution_m);
+  const int x0 = possible_.cellX(mapFromRobot.x), y0 = possible_.cellY(mapFromRobot.y);
+  for (int y = y0 - reach; y <= y0 + reach; ++y)
+    for (int x = x0 - reach; x <= x0 + reach; ++x) {
+      const double dx = possible_.idx2x(x) - mapFromRobot.x;
+      const double dy = possible_.idx2y(y) - mapFromRobot.y;
+      if (dx * dx + dy * dy <= bodyRadius_m_ * bodyRadius_m_) possible_.at(x, y) = kNo;
+    }
+}
+
+void HiddenPeople::findFrontier() {
+  frontier_.clear();
+  const auto open = [this](int x, int y) {
+    return seen_.at(x, y) == kYes && surface_.at(x, y) == kNo && solid_.at(x, y) == kNo;
+  };
+  for (int y = 1; y + 1 < possible_.height(); ++y) {
+    const Cost* row = possible_.row(y);
+    for (int x = 1; x + 1 < possible_.width(); ++x) {
+      if (row[x] == kNo) continue;
+      if (open(x - 1, y) || open(x + 1, y) || open(x, y - 1) || open(x, y + 1))
+        frontier_.push_back({static_cast<float>(possible_.idx2x(x)),
+                             static_cast<float>(possible_.idx2y(y)), FrontierPoint::Kind::Hidden});
+    }
+  }
+}
+
+}  // namespace bslnav

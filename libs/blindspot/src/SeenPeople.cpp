@@ -1,0 +1,145 @@
+#include <bslnav/blindspot/SeenPeople.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace bslnav {
+namespace {
+
+using mrpt::math::TPoint2D;
+
+constexpr double kForget_s = 1.0;       // a track not seen for so long ends
+constexpr double kSmoothing = 0.4;      // part of a new velocity in the smoothed one
+constexpr double kSlack_m = 0.3;        // of the visible middle between two scans, besides walking
+
+bool isNearSolid(const CostGrid& solid, const TPoint2D& p, int reach) {
+  const int x0 = solid.cellX(p.x), y0 = solid.cellY(p.y);
+  const CellWindow window =
+      CellWindow{x0, y0, x0 + 1, y0 + 1}.grown(reach).intersected(solid.bounds());
+  for (int y = window.y0; y < window.y1; ++y)
+    for (int x = window.x0; x < window.x1; ++x)
+      if (solid.at(x, y) != 0) return true;
+  return false;
+}
+
+}  // namespace
+
+void SeenPeopleParameters::describe(ConfigSection& section) {
+  section.number("cluster_gap_m", clusterGap_m, kPositive, "m", "hits this near are of one thing");
+  section.number("map_tolerance_m", mapTolerance_m, kNonNegative, "m",
+                 "a hit this near to an occupied cell of the map is the map's");
+  section.number("narrowest_m", narrowest_m, kNonNegative, "m",
+                 "what is narrower and stands still is an obstacle, not a person");
+  section.number("widest_m", widest_m, kPositive, "m",
+                 "what is wider and stands still is an obstacle, not a person");
+  section.number("standing_s", standing_s, kNonNegative, "s",
+                 "so long has what is not as wide as a person to stand still");
+  section.number("still_within_m", stillWithin_m, kPositive, "m",
+                 "the middle of what stands still stays within this distance");
+}
+
+void SeenPeople::update(const std::vector<const PlanarScan*>& scans, double stamp_s,
+                        const mrpt::math::TPose2D& mapFromRobot, const CostGrid& solid,
+                        double personSpeed_mps) {
+  if (scans.empty()) return;
+  points_.clear();
+  things_.clear();
+  frontier_.clear();
+  for (const PlanarScan* scan : scans) findThings(*scan, mapFromRobot, solid);
+  for (const Thing& thing : things_) {
+    Track& track = trackOf(thing, stamp_s, personSpeed_mps);
+    follow(track, thing, stamp_s);
+    if (!track.mayWalk) continue;
+    for (std::size_t i = thing.first; i < thing.first + thing.count; ++i)
+      frontier_.push_back({static_cast<float>(points_[i].x), static_cast<float>(points_[i].y),
+                           FrontierPoint::Kind::Seen});
+  }
+  tracks_.erase(
+      std::remove_if(tracks_.begin(), tracks_.end(),
+                     [stamp_s](const Track& t) { return stamp_s - t.lastSeen_s > kForget_s; }),
+      tracks_.end());
+}
+
+void SeenPeople::findThings(const PlanarScan& scan, const mrpt::math::TPose2D& mapFromRobot,
+                            const CostGrid& solid) {
+  const auto& sensor = scan.robotFromSensor();
+  const int reach =
+      static_cast<int>(std::ceil(parameters_.mapTolerance_m / solid.getResolution()));
+  std::size_t first = points_.size();
+  for (int i = 0; i < scan.size(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    if (scan.beam[k] != PlanarScan::Beam::Hit) continue;
+    const double range = scan.range_m[k];
+    const TPoint2D p = mapFromRobot.composePoint(
+        TPoint2D{sensor.x + range * scan.cosine[k], sensor.y + range * scan.sine[k]});
+    if (!solid.bounds().contains(solid.cellX(p.x), solid.cellY(p.y))) continue;
+    if (isNearSolid(solid, p, reach)) continue;
+    const bool joined =
+        points_.size() > first && (points_.back() - p).norm() <= parameters_.clusterGap_m;
+    if (!joined) {
+      addThing(first);
+      first = points_.size();
+    }
+    points_.push_back(p);
+  }
+  addThing(first);
+}
+
+void SeenPeople::addThing(std::size_t first) {
+  if (points_.size() == first) return;
+  TPoint2D sum;
+  double width = 0.0;
+  for (std::size_t i = first; i < points_.size(); ++i) {
+    sum += points_[i];
+    width = std::max(width, (points_[i] - points_[first]).norm());
+  }
+  const auto count = points_.size() - first;
+  things_.push_back({first, count, sum * (1.0 / static_cast<double>(count)), width});
+}
+
+/** The nearest track that is not further on already, or a new one. */
+Track& SeenPeople::trackOf(const Thing& thing, double stamp_s, double personSpeed_mps) {
+  Track* nearest = nullptr;
+  double least = 0.0;
+  for (Track& track : tracks_) {
+    if (track.lastSeen_s >= stamp_s) continue;
+    const double elapsed_s = stamp_s - track.lastSeen_s;
+    const double distance =
+        (track.position + track.velocity * elapsed_s - thing.middle).norm();
+    if (distance > personSpeed_mps * elapsed_s + kSlack_m) continue;
+    if (nearest && distance >= least) continue;
+    nearest = &track;
+    least = distance;
+  }
+  if (nearest) return *nearest;
+  Track track;
+  track.id = nextId_++;
+  track.position = track.stoodAt = thing.middle;
+  track.firstSeen_s = track.lastSeen_s = track.stillSince_s = stamp_s;
+  tracks_.push_back(track);
+  return tracks_.back();
+}
+
+void SeenPeople::follow(Track& track, const Thing& thing, double stamp_s) const {
+  const double elapsed_s = stamp_s - track.lastSeen_s;
+  if (elapsed_s > 0.0) {
+    const TPoint2D measured = (thing.middle - track.position) * (1.0 / elapsed_s);
+    track.velocity = track.velocity * (1.0 - kSmoothing) + measured * kSmoothing;
+  }
+  track.position = thing.middle;
+  track.lastSeen_s = stamp_s;
+  track.width_m = std::max(track.width_m, thing.width_m);
+  if ((thing.middle - track.stoodAt).norm() > parameters_.stillWithin_m) {
+    // The middle of what comes into view moves, too: only what stood whole can be seen to walk.
+    track.hasMoved = track.hasMoved || stamp_s - track.firstSeen_s > parameters_.standing_s;
+    track.stoodAt = thing.middle;
+    track.stillSince_s = stamp_s;
+  }
+  const bool asWideAsPeople =
+      track.width_m >= parameters_.narrowest_m && track.width_m <= parameters_.widest_m;
+  const bool stands = stamp_s - track.stillSince_s >= parameters_.standing_s;
+  const bool isWide = track.width_m > parameters_.widest_m;
+  track.mayWalk = asWideAsPeople || (!isWide && (track.hasMoved || !stands));
+}
+
+}  // namespace bslnav
