@@ -12,9 +12,7 @@ namespace {
 
 constexpr Cost kYes = 255, kNo = 0;
 
-cv::Mat imageOf(CostGrid& grid) {
-  return {grid.height(), grid.width(), CV_8U, grid.row(0)};
-}
+cv::Mat imageOf(CostGrid& grid) { return {grid.height(), grid.width(), CV_8U, grid.row(0)}; }
 
 void fill(CostGrid& grid, Cost value) {
   std::fill(grid.row(0), grid.row(0) + std::ptrdiff_t{grid.width()} * grid.height(), value);
@@ -37,16 +35,17 @@ void polar(float x0, float y, float step, float offset, int count, int* directio
     const float ax = std::abs(x), ay = std::abs(y);
     const float low = ax < ay ? ax : ay, high = ax < ay ? ay : ax;
     const float t = low / (high + 1e-9f), t2 = t * t;
-    float a = t * (0.99997726f +
-                   t2 * (-0.33262347f +
-                         t2 * (0.19354346f +
-                               t2 * (-0.11643287f + t2 * (0.05265332f - 0.01172120f * t2)))));
+    float a =
+        t *
+        (0.99997726f +
+         t2 * (-0.33262347f +
+               t2 * (0.19354346f + t2 * (-0.11643287f + t2 * (0.05265332f - 0.01172120f * t2)))));
     a = ax < ay ? 1.57079633f - a : a;
     a = x < 0.0f ? 3.14159265f - a : a;
     a = y < 0.0f ? -a : a;
     // Two turns are added, so that cutting off rounds down.
-    directions[i] = static_cast<int>(a * kPerRadian + offset + 2.5f * kPerTurn) &
-                    (ScanView::kDirections - 1);
+    directions[i] =
+        static_cast<int>(a * kPerRadian + offset + 2.5f * kPerTurn) & (ScanView::kDirections - 1);
     squared[i] = x * x + y * y;
   }
 }
@@ -112,7 +111,7 @@ void HiddenPeople::update(const std::vector<const PlanarScan*>& scans, double st
     forgetOutsideView(mapFromRobot);
   keepWhereSomebodyFits();
   clearRobot(mapFromRobot);
-  findFrontier();
+  findFrontier(mapFromRobot);
 }
 
 void HiddenPeople::recentre(const mrpt::math::TPose2D& mapFromRobot) {
@@ -120,8 +119,7 @@ void HiddenPeople::recentre(const mrpt::math::TPose2D& mapFromRobot) {
   const int dx = possible_.cellX(mapFromRobot.x) - half;
   const int dy = possible_.cellY(mapFromRobot.y) - half;
   if (dx == 0 && dy == 0 && started_) return;
-  for (CostGrid* grid : {&possible_, &seen_, &surface_, &solid_, &work_})
-    grid->shift(dx, dy, kYes);
+  for (CostGrid* grid : {&possible_, &seen_, &surface_, &solid_, &work_}) grid->shift(dx, dy, kYes);
   if (!static_) {
     fill(solid_, kNo);
     return;
@@ -172,8 +170,9 @@ void HiddenPeople::markSurfaces(const ScanView& view, const mrpt::math::TPose2D&
   }
 }
 
-/** People walk on, through everything but walls, and may come in at the edge of the grid. Cells are taken before they are reached, never
- * after; steps along four and eight neighbours take turns, whose octagon holds the circle. */
+/** People walk on, through everything but walls, and may come in at the edge of the grid. Cells are
+ * taken before they are reached, never after; steps along four and eight neighbours take turns,
+ * whose octagon holds the circle. */
 void HiddenPeople::grow(double distance_m) {
   cv::Mat possible = imageOf(possible_), solid = imageOf(solid_), surface = imageOf(surface_);
   static const cv::Mat kSquare = cv::Mat::ones(3, 3, CV_8U);
@@ -232,11 +231,28 @@ void HiddenPeople::clearRobot(const mrpt::math::TPose2D& mapFromRobot) {
     }
 }
 
-void HiddenPeople::findFrontier() {
+/** The cells that are free of people and connected with the robot, through whatever is neither a
+ * wall nor possible: seen, or hidden where nobody fits. Behind walls there are such cells, too, but
+ * nobody walks from there to the robot. */
+void HiddenPeople::floodFromRobot(const mrpt::math::TPose2D& mapFromRobot) {
+  constexpr Cost kReached = 128;
+  for (int y = 0; y < work_.height(); ++y)
+    for (int x = 0; x < work_.width(); ++x)
+      work_.at(x, y) =
+          (possible_.at(x, y) | solid_.at(x, y) | surface_.at(x, y)) == kNo ? kYes : kNo;
+  cv::Mat reached = imageOf(work_);
+  const int reach = static_cast<int>(bodyRadius_m_ / parameters_.resolution_m);
+  const int x0 = work_.cellX(mapFromRobot.x), y0 = work_.cellY(mapFromRobot.y);
+  for (int y = y0 - reach; y <= y0 + reach; ++y)
+    for (int x = x0 - reach; x <= x0 + reach; ++x)
+      if (work_.at(x, y) == kYes) cv::floodFill(reached, {x, y}, cv::Scalar(kReached));
+  cv::compare(reached, kReached, reached, cv::CMP_EQ);
+}
+
+void HiddenPeople::findFrontier(const mrpt::math::TPose2D& mapFromRobot) {
+  floodFromRobot(mapFromRobot);
   frontier_.clear();
-  const auto open = [this](int x, int y) {
-    return seen_.at(x, y) == kYes && surface_.at(x, y) == kNo && solid_.at(x, y) == kNo;
-  };
+  const auto open = [this](int x, int y) { return work_.at(x, y) == kYes; };
   for (int y = 1; y + 1 < possible_.height(); ++y) {
     const Cost* row = possible_.row(y);
     for (int x = 1; x + 1 < possible_.width(); ++x) {

@@ -9,7 +9,7 @@ namespace {
 
 constexpr float kTurn = 2.0f * static_cast<float>(M_PI);
 constexpr float kPerRadian = ScanView::kDirections / kTurn;
-constexpr int kFewestFree = 3;  // so many neighbouring beams without return are a free view
+constexpr int kFewestFree = 3;        // so many neighbouring beams without return are a free view
 constexpr float kMostMissing = 8.0f;  // dropped beams in a row, until there the view is not closed
 
 float wrapped(float angle_rad) {
@@ -47,11 +47,13 @@ void ScanView::takeBeams(const PlanarScan& scan) {
   for (int i = 0; i < scan.size(); ++i) {
     const auto k = static_cast<std::size_t>(i);
     const bool hit = scan.beam[k] == PlanarScan::Beam::Hit;
-    const bool free = !hit && scan.beam[k] == PlanarScan::Beam::NoReturn &&
-                      freeRun(scan, i) >= kFewestFree;
+    const bool free =
+        !hit && scan.beam[k] == PlanarScan::Beam::NoReturn && freeRun(scan, i) >= kFewestFree;
     if (!hit && !free) continue;
     const float range = scan.range_m[k];
-    beams_.push_back({std::atan2(scan.sine[k], scan.cosine[k]), range, hit,
+    beams_.push_back({std::atan2(scan.sine[k], scan.cosine[k]),
+                      range,
+                      hit,
                       {origin_.x + range * scan.cosine[k], origin_.y + range * scan.sine[k]}});
   }
   // The step of the sensor is that of any two beams in a row; the median would be dear.

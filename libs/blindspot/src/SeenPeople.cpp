@@ -8,9 +8,9 @@ namespace {
 
 using mrpt::math::TPoint2D;
 
-constexpr double kForget_s = 1.0;       // a track not seen for so long ends
-constexpr double kSmoothing = 0.4;      // part of a new velocity in the smoothed one
-constexpr double kSlack_m = 0.3;        // of the visible middle between two scans, besides walking
+constexpr double kForget_s = 1.0;   // a track not seen for so long ends
+constexpr double kSmoothing = 0.4;  // part of a new velocity in the smoothed one
+constexpr double kSlack_m = 0.3;    // of the visible middle between two scans, besides walking
 
 bool isNearSolid(const CostGrid& solid, const TPoint2D& p, int reach) {
   const int x0 = solid.cellX(p.x), y0 = solid.cellY(p.y);
@@ -63,8 +63,7 @@ void SeenPeople::update(const std::vector<const PlanarScan*>& scans, double stam
 void SeenPeople::findThings(const PlanarScan& scan, const mrpt::math::TPose2D& mapFromRobot,
                             const CostGrid& solid) {
   const auto& sensor = scan.robotFromSensor();
-  const int reach =
-      static_cast<int>(std::ceil(parameters_.mapTolerance_m / solid.getResolution()));
+  const int reach = static_cast<int>(std::ceil(parameters_.mapTolerance_m / solid.getResolution()));
   std::size_t first = points_.size();
   for (int i = 0; i < scan.size(); ++i) {
     const auto k = static_cast<std::size_t>(i);
@@ -104,8 +103,7 @@ Track& SeenPeople::trackOf(const Thing& thing, double stamp_s, double personSpee
   for (Track& track : tracks_) {
     if (track.lastSeen_s >= stamp_s) continue;
     const double elapsed_s = stamp_s - track.lastSeen_s;
-    const double distance =
-        (track.position + track.velocity * elapsed_s - thing.middle).norm();
+    const double distance = (track.position + track.velocity * elapsed_s - thing.middle).norm();
     if (distance > personSpeed_mps * elapsed_s + kSlack_m) continue;
     if (nearest && distance >= least) continue;
     nearest = &track;

@@ -37,6 +37,19 @@ std::vector<CandidateLine> candidateLines(const DwaResult& dwa, const CostGrid& 
   return lines;
 }
 
+/** Where somebody may step out, and what decides about the robot's speed. */
+void drawGuard(MapPicture& picture, const CycleSnapshot& snapshot) {
+  for (const FrontierPoint& p : snapshot.frontier) {
+    const bool hidden = p.kind == FrontierPoint::Kind::Hidden;
+    picture.disc({p.x_m, p.y_m}, 0.04, hidden ? style::kFrontier : style::kMayWalk,
+                 hidden ? "somebody may step out" : "somebody may walk off");
+  }
+  const auto& pose = snapshot.record.mapFromRobot;
+  if (const auto& binding = snapshot.record.guard.binding)
+    picture.segment({pose.x, pose.y}, {binding->x_m, binding->y_m}, style::kBinding,
+                    "binds the speed");
+}
+
 /** Moves an interval of at most `length` around `middle` into [lowest, highest]. */
 std::pair<double, double> within(double lowest, double highest, double middle, double length) {
   length = std::min(length, highest - lowest);
@@ -62,6 +75,7 @@ void drawSnapshot(MapPicture& picture, const CycleSnapshot& snapshot, const Foot
     picture.polyline(rolloutOf(record.dwa.candidates[static_cast<std::size_t>(record.dwa.best)],
                                record.dwa, snapshot.costs),
                      style::kChosen, "chosen");
+  drawGuard(picture, snapshot);
   for (const auto& zone : record.dangerZones)
     picture.disc(zone.centre, zone.radius_m, style::kDangerZone, "danger zone");
   for (const auto& person : snapshot.people)
@@ -76,9 +90,12 @@ void CycleSnapshots::add(const CycleSnapshot& snapshot, const MapBounds& limits)
                      {kWidth_px, kHeight_px, false});
   drawSnapshot(picture, snapshot, footprint_);
 
-  char caption[64];
-  std::snprintf(caption, sizeof caption, "t = %.1f s, %.2f m/s", record.time_s,
-                speedOf(record.twist));
+  char caption[96];
+  const int written = std::snprintf(caption, sizeof caption, "t = %.1f s, %.2f m/s", record.time_s,
+                                    speedOf(record.twist));
+  if (record.guard.active)
+    std::snprintf(caption + written, sizeof caption - static_cast<std::size_t>(written),
+                  ", bound %.2f m/s", record.guard.bound_mps);
   tiles_.push_back({picture.finished(), caption});
   Picture legend = picture.legend(2 * kWidth_px);
   if (legend.height >= legend_.height) legend_ = std::move(legend);

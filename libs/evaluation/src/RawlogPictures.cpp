@@ -59,7 +59,10 @@ void RawlogPictures::observe(const RawlogMoment& moment) {
     spots_.push_back(record.mapFromRobot.composePoint(spot.position));
   const int due = setup_.rawlog.snapshots;
   if (snapshotsTaken_ < due && moment.progress >= (snapshotsTaken_ + 0.5) / due) {
-    snapshots_.add({record, moment.cycle.surroundings().localCosts(), {}}, bounds_);
+    const Surroundings& surroundings = moment.cycle.surroundings();
+    const People* people = surroundings.people();
+    snapshots_.add(
+        {record, surroundings.localCosts(), {}, people ? people->frontier() : Frontier{}}, bounds_);
     if (!moment.cycle.surroundings().depthFrames().empty())
       depthStages_.emplace_back(record, moment.cycle, setup_.navigation);
     ++snapshotsTaken_;

@@ -20,7 +20,9 @@ constexpr const char* kCyclesHeader =
     "command_speed_mps,command_yaw_rate_radps,mode,health,reason,beams,dropped_beams,blind_spots,"
     "replanned,path_points,"
     "candidates_admissible,chosen_speed_mps,chosen_yaw_rate_radps,c_pos_m,c_gol_m,c_dan,c_vel_spm,"
-    "cost,lateral_mps,command_lateral_mps\n";
+    "cost,lateral_mps,command_lateral_mps,guard_bound_mps,guard_slack_m,guard_reach_at_stop_m,"
+    "guard_impact_mps,guard_binding,guard_binding_x_m,guard_binding_y_m,guard_hidden,guard_seen,"
+    "guard_lapse\n";
 constexpr const char* kCandidatesHeader =
     "cycle,speed_mps,yaw_rate_radps,verdict,c_pos_m,c_gol_m,c_dan,c_vel_spm,cost,lateral_mps\n";
 
@@ -43,6 +45,16 @@ std::string chosenCandidate(const CycleRecord& record) {
   const Candidate& best = record.dwa.candidates[static_cast<std::size_t>(record.dwa.best)];
   return row("%d,%.4f,%.5f,%.4f,%.4f,%.4f,%.4f,%.4f", admissible, best.v_mps, best.w_radps,
              best.terms.path, best.terms.goal, best.terms.danger, best.terms.velocity, best.total);
+}
+
+/** The guard's certificate; empty cells without a guard. */
+std::string certificate(const GuardRecord& g) {
+  if (!g.active) return ",,,,,,,,,";
+  const std::string binding = g.binding ? row("%s,%.3f,%.3f", nameOf(g.binding->kind),
+                                              double{g.binding->x_m}, double{g.binding->y_m})
+                                        : ",,";
+  return row("%.3f,%.3f,%.3f,%.3f,%s,%d,%d,%s", g.bound_mps, g.slack_m, g.reachAtStop_m,
+             g.impact_mps, binding.c_str(), g.hidden, g.seen, nameOf(g.lapse));
 }
 
 Json orNull(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
@@ -86,6 +98,7 @@ Json toJson(const RunSummary& s) {
             {"cycles", s.cycles},
             {"blocked_cycles", s.blockedCycles},
             {"unhealthy_cycles", s.unhealthyCycles},
+            {"guard_lapse_s", s.lapse_s},
             {"dropped_beams", s.droppedBeams},
             {"dropped_depth_frames", s.droppedDepthFrames},
             {"sensor_problem", s.sensorProblem},
@@ -93,6 +106,7 @@ Json toJson(const RunSummary& s) {
             {"stages_ms",
              {{"blind_spots", toJson(s.blindSpots_ms)},
               {"costmap", toJson(s.costmap_ms)},
+              {"people", toJson(s.people_ms)},
               {"global_plan", toJson(s.globalPlan_ms)},
               {"motion", toJson(s.motion_ms)}}},
             {"seed", s.seed},
@@ -143,10 +157,11 @@ void RunRecorder::write(const CycleRecord& r, const mrpt::math::TPose2D& truePos
              truePose.y, truePose.phi, r.twist.vx, r.twist.omega, r.motion.command.vx,
              r.motion.command.omega, nameOf(r.motion.mode), nameOf(r.health), reasonOf(r).c_str(),
              r.beams, r.droppedBeams, r.blindSpots.size(), int{r.replanned}, r.path.size())
-      << chosenCandidate(r) << row(",%.4f,%.4f\n", r.twist.vy, r.motion.command.vy);
+      << chosenCandidate(r) << row(",%.4f,%.4f,", r.twist.vy, r.motion.command.vy)
+      << certificate(r.guard) << '\n';
   if (!candidates_.is_open() || !r.motion.planned) return;
-  static constexpr const char* kVerdicts[] = {"admissible", "obstacle", "unknown", "oscillation",
-                                              "out_of_window", "guarded"};
+  static constexpr const char* kVerdicts[] = {"admissible",  "obstacle",      "unknown",
+                                              "oscillation", "out_of_window", "guarded"};
   for (const Candidate& c : r.dwa.candidates)
     candidates_ << row("%d,%.4f,%.5f,%s,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f\n", r.index, c.v_mps,
                        c.w_radps, kVerdicts[static_cast<int>(c.verdict)], c.terms.path,

@@ -44,6 +44,7 @@ void Metrics::add(const CycleRecord& record, const mrpt::math::TPoint2D& positio
     path_m_ += (position - last_).norm();
     time_s_ += period_s;
     if (std::abs(speed_mps) < kStopped_mps) stopped_s_ += period_s;
+    if (record.guard.lapse != GuardRecord::Lapse::None) lapse_s_ += period_s;
   }
   last_ = position;
   ++cycles_;
@@ -70,10 +71,12 @@ void Metrics::finish(RunSummary& summary) const {
   summary.pathLength_m = path_m_;
   summary.meanSpeed_mps = time_s_ > 0.0 ? path_m_ / time_s_ : 0.0;
   summary.timeStopped_s = stopped_s_;
+  summary.lapse_s = lapse_s_;
   summary.blindSpotsMean = cycles_ > 0 ? blindSpots_ / cycles_ : 0.0;
   summary.cycle_ms = percentilesOf(times_, &StageTimes::total_s);
   summary.blindSpots_ms = percentilesOf(times_, &StageTimes::blindSpots_s);
   summary.costmap_ms = percentilesOf(times_, &StageTimes::costmap_s);
+  summary.people_ms = percentilesOf(times_, &StageTimes::people_s);
   summary.globalPlan_ms = percentilesOf(times_, &StageTimes::globalPlan_s);
   summary.motion_ms = percentilesOf(times_, &StageTimes::motion_s);
 }

@@ -26,7 +26,9 @@ void RunTrace::observe(const SimulationMoment& moment, const std::vector<double>
   if (next >= instants_s.size() || truth.time_s < instants_s[next] - 1e-6) return;
   std::vector<SnapshotPerson> people;
   for (const auto& person : truth.people) people.push_back({person.position, person.radius_m});
-  snapshots.push_back({moment.record, moment.cycle.surroundings().localCosts(), std::move(people)});
+  const Surroundings& surroundings = moment.cycle.surroundings();
+  snapshots.push_back({moment.record, surroundings.localCosts(), std::move(people), {}});
+  if (surroundings.people()) snapshots.back().frontier = surroundings.people()->frontier();
 }
 
 }  // namespace bslnav

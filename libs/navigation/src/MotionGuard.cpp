@@ -49,7 +49,8 @@ void MotionGuard::certify(const Frontier& frontier, CycleRecord& record) const {
   const auto& robot = guard_.robot();
   g.reachAtStop_m = guard_.parameters().personSpeed_mps *
                     (speed < 1e-3 ? 0.0 : robot.reaction_s + speed / robot.deceleration_mps2);
-  for (const FrontierPoint& p : frontier) ++(p.kind == FrontierPoint::Kind::Hidden ? g.hidden : g.seen);
+  for (const FrontierPoint& p : frontier)
+    ++(p.kind == FrontierPoint::Kind::Hidden ? g.hidden : g.seen);
   if (verdict.binding >= 0) g.binding = frontier[static_cast<std::size_t>(verdict.binding)];
   if (verdict.slack_m > 0.0 || speed < kStanding_mps) return;
   g.impact_mps = verdict.impact_mps;

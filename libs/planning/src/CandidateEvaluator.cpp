@@ -63,7 +63,8 @@ void CandidateEvaluator::begin(const DwaInput& input, const CostGrid& costs) {
 }
 
 void CandidateEvaluator::evaluate(Candidate& candidate) const {
-  if (mayDrive(candidate)) judge(candidate, rollOut(candidate.twist(), setup_, *costs_, footprint_));
+  if (mayDrive(candidate))
+    judge(candidate, rollOut(candidate.twist(), setup_, *costs_, footprint_));
 }
 
 void CandidateEvaluator::evaluate(Candidate& candidate, const SampledPath& path,

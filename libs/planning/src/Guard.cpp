@@ -153,7 +153,8 @@ bool Guard::admits(const TTwist2D& command) const {
   // What is left changes by no more than this a second: where much is left, much time is skipped.
   const double closing_mps = way.speed_mps + parameters_.personSpeed_mps;
   const double end_s = way.duration_s();
-  const double needed = robot_.radius_m + parameters_.margin_m + parameters_.personSpeed_mps * age_s_;
+  const double needed =
+      robot_.radius_m + parameters_.margin_m + parameters_.personSpeed_mps * age_s_;
   double left = distanceNow_m_ - needed;
   for (double t = 0.0;;) {
     if (left <= 0.0) return false;

@@ -33,8 +33,8 @@ struct HiddenPeopleParameters {
  *
  * A cell is possible if a person who walks at most at some speed can have got there from a place
  * not seen since, and can stand there unseen: a disc of a person's radius fits into what is neither
- * seen now nor solid in the map. The edge of the possible cells towards what is seen empty is the
- * frontier: from there, people step out.
+ * seen now nor solid in the map. The edge of the possible cells towards what is connected with
+ * the robot is the frontier: from there, people step out.
  *
  * The grid holds points of people's bodies, not their centres. Its cells are those whose centres
  * are seen or not, so the frontier is exact to 0.71 cells. */
@@ -53,7 +53,7 @@ class HiddenPeople {
   void update(const std::vector<const PlanarScan*>& scans, double stamp_s,
               const mrpt::math::TPose2D& mapFromRobot, double personSpeed_mps);
 
-  /** Points between possible and seen cells, map frame. */
+  /** The outermost possible cells towards the robot, map frame. */
   const Frontier& frontier() const { return frontier_; }
   /** The time that the state is of. */
   double stamp_s() const { return stamp_s_; }
@@ -73,7 +73,8 @@ class HiddenPeople {
   void forgetOutsideView(const mrpt::math::TPose2D& mapFromRobot);
   void keepWhereSomebodyFits();
   void clearRobot(const mrpt::math::TPose2D& mapFromRobot);
-  void findFrontier();
+  void floodFromRobot(const mrpt::math::TPose2D& mapFromRobot);
+  void findFrontier(const mrpt::math::TPose2D& mapFromRobot);
 
   HiddenPeopleParameters parameters_;
   double bodyRadius_m_;

@@ -13,9 +13,9 @@ namespace bslnav {
 struct SeenPeopleParameters {
   double clusterGap_m = 0.3;    ///< hits this near are of one thing
   double mapTolerance_m = 0.2;  ///< a hit this near to an occupied cell of the map is the map's
-  double narrowest_m = 0.2, widest_m = 0.9;  ///< of what may be a person
-  double standing_s = 1.0;       ///< what else stands still for so long is an obstacle
-  double stillWithin_m = 0.12;   ///< the middle of what stands still stays within this distance
+  double narrowest_m = 0.3, widest_m = 0.9;  ///< of what may be a person
+  double standing_s = 1.0;                   ///< what else stands still for so long is an obstacle
+  double stillWithin_m = 0.12;  ///< the middle of what stands still stays within this distance
 
   void describe(ConfigSection& section);
 };

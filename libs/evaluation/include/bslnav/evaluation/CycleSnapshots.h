@@ -21,6 +21,7 @@ struct CycleSnapshot {
   CycleRecord record;
   CostGrid costs;  ///< the local ones
   std::vector<SnapshotPerson> people;
+  Frontier frontier{};  ///< of the guard
 };
 
 /** Draws local cost map, candidates, chosen rollout, global path, danger zones, people and robot.

@@ -57,9 +57,10 @@ struct RunSummary {
   bool goalMoved = false;       ///< it was blocked: the robot drove to the nearest reachable place
   double blindSpotsMean = 0.0;  ///< per cycle
   int cycles = 0, blockedCycles = 0, unhealthyCycles = 0;
+  double lapse_s = 0.0;  ///< time in which the robot moved and the guard's promise did not hold
   long droppedBeams = 0, droppedDepthFrames = 0;
   std::string sensorProblem;  ///< the first one, in words; empty for none
-  Percentiles cycle_ms, blindSpots_ms, costmap_ms, globalPlan_ms, motion_ms;
+  Percentiles cycle_ms, blindSpots_ms, costmap_ms, people_ms, globalPlan_ms, motion_ms;
   int method = 0;
   std::string methodName;
   std::uint64_t seed = 0;
@@ -82,7 +83,7 @@ class Metrics {
   long droppedBeams_ = 0, droppedDepthFrames_ = 0;
   std::string sensorProblem_;
   bool goalMoved_ = false;
-  double path_m_ = 0.0, stopped_s_ = 0.0, time_s_ = 0.0, blindSpots_ = 0.0;
+  double path_m_ = 0.0, lapse_s_ = 0.0, stopped_s_ = 0.0, time_s_ = 0.0, blindSpots_ = 0.0;
   mrpt::math::TPoint2D last_;
   std::vector<StageTimes> times_;
 };

@@ -14,8 +14,7 @@ namespace bslnav {
 /** Wall-clock time of each stage of a cycle [s]; the only part of a record that differs from run to
  * run. */
 struct StageTimes {
-  double blindSpots_s = 0, costmap_s = 0, people_s = 0, globalPlan_s = 0, motion_s = 0,
-         total_s = 0;
+  double blindSpots_s = 0, costmap_s = 0, people_s = 0, globalPlan_s = 0, motion_s = 0, total_s = 0;
 };
 
 /** Everything one control cycle saw, considered and decided. */

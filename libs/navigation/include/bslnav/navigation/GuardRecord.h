@@ -17,11 +17,11 @@ struct GuardRecord {
     Blind       ///< nothing was seen in this cycle: the robot brakes
   };
   bool active = false;
-  bool capped = false;      ///< the command was not admissible, and was slowed down
-  double bound_mps = 0.0;   ///< highest admissible speed along the command's arc
-  double slack_m = 0.0;     ///< least distance that is left; negative when the promise lapsed
+  bool capped = false;         ///< the command was not admissible, and was slowed down
+  double bound_mps = 0.0;      ///< highest admissible speed along the command's arc
+  double slack_m = 0.0;        ///< least distance that is left; negative when the promise lapsed
   double reachAtStop_m = 0.0;  ///< how far people may have walked when the robot stands
-  double impact_mps = 0.0;  ///< worst case: the robot's speed when somebody reaches it
+  double impact_mps = 0.0;     ///< worst case: the robot's speed when somebody reaches it
   std::optional<FrontierPoint> binding;  ///< what decides, map frame
   int hidden = 0, seen = 0;              ///< frontier points
   Lapse lapse = Lapse::None;

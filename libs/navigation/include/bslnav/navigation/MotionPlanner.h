@@ -59,8 +59,8 @@ class MotionPlanner {
     mrpt::math::TTwist2D twist;                     ///< measured
     mrpt::math::TTwist2D commandBase;               ///< what the next command starts from
     const std::vector<mrpt::math::TPoint2D>& path;  ///< empty: none was found
-    mrpt::math::TPose2D goal;   ///< where the path leads; its heading is taken up on arrival
-    double passWithin_m = 0.0;  ///< above 0: a waypoint, passed this near without stopping
+    mrpt::math::TPose2D goal;      ///< where the path leads; its heading is taken up on arrival
+    double passWithin_m = 0.0;     ///< above 0: a waypoint, passed this near without stopping
     const Guard* guard = nullptr;  ///< what it refuses is no candidate
   };
 

@@ -17,7 +17,7 @@ struct GuardParameters {
   double personSpeed_mps = 4.0 / 3.6;  ///< v_h: nobody walks faster
   double latency_s = 0.1;              ///< from a command to its effect, besides the period
   double margin_m = 0.08;  ///< noise of ranges and pose, half a cell of the grid of hidden people
-  double creepAfter_s = 3.0;    ///< standing so long with nothing admissible, the robot may creep
+  double creepAfter_s = 3.0;     ///< standing so long with nothing admissible, the robot may creep
   double creepSpeed_mps = 0.04;  ///< 0: it never does
 
   void describe(ConfigSection& section);
@@ -36,7 +36,7 @@ struct GuardVerdict {
   double slack_m = 0.0;  ///< least distance that is left, over the time until it stands; negative
                          ///< when somebody could reach it; capped at kGuardReach_m
   double impact_mps = 0.0;  ///< the robot's speed when somebody could reach it first; 0: never
-  int binding = -1;      ///< index of the frontier point that decides; −1 for none within reach
+  int binding = -1;  ///< index of the frontier point that decides; −1 for none within reach
 };
 inline constexpr double kGuardReach_m = 10.0;
 

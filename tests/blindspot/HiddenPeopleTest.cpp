@@ -1,0 +1,153 @@
+#include <bslnav/blindspot/HiddenPeople.h>
+#include <gtest/gtest.h>
+#include <mrpt/maps/COccupancyGridMap2D.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "ScanFixture.h"
+
+namespace bslnav {
+namespace {
+
+using mrpt::math::TPoint2D;
+using mrpt::math::TPose2D;
+
+constexpr double kWalk_mps = 1.0;
+
+/** A scan of the full circle with a beam each half degree; `range` is that of a direction. */
+PlanarScan around(const std::function<double(double)>& range_m) {
+  std::vector<float> ranges;
+  constexpr int kBeams = 720;
+  for (int i = 0; i < kBeams; ++i)
+    ranges.push_back(static_cast<float>(range_m(-M_PI + 2.0 * M_PI * i / kBeams)));
+  return test::scanOf(ranges, 2.0 * M_PI * (kBeams - 1) / kBeams, {0.0, 0.0, -M_PI / kBeams});
+}
+
+/** The view from the middle of a round room of 3 m with a wall along y = −1 from x = 0.5 on. */
+double corner(double angle) {
+  if (angle >= 0.0 || angle <= -M_PI / 2.0) return 3.0;
+  const double range = -1.0 / std::sin(angle);
+  return range * std::cos(angle) >= 0.5 ? std::min(3.0, range) : 3.0;
+}
+
+HiddenPeople people(const HiddenPeopleParameters& parameters = {},
+                    const std::shared_ptr<const mrpt::maps::COccupancyGridMap2D>& map = nullptr) {
+  return HiddenPeople(parameters, 0.25, map, {});
+}
+
+double nearest(const Frontier& frontier, const TPoint2D& from = {}) {
+  double least = 1e9;
+  for (const auto& p : frontier)
+    least = std::min(least, std::hypot(p.x_m - from.x, p.y_m - from.y));
+  return least;
+}
+
+TEST(HiddenPeople, NobodyIsInARoundRoom) {
+  const PlanarScan room = around([](double) { return 3.0; });
+  HiddenPeople hidden = people();
+  hidden.update({&room}, 0.0, {}, kWalk_mps);
+  EXPECT_TRUE(hidden.frontier().empty());
+}
+
+/** The shadow of the wall begins at its end, (0.5, −1). Between the line of sight and the back of
+ * the wall are 63.4 degrees, so the disc of a person that touches both has its centre 0.25 m /
+ * sin(31.7°) = 0.475 m along the bisector, at (0.904, −1.25): the nearest body is at 1.29 m. */
+TEST(HiddenPeople, StepOutBehindACorner) {
+  const PlanarScan scan = around(corner);
+  HiddenPeople hidden = people();
+  hidden.update({&scan}, 0.0, {}, kWalk_mps);
+  EXPECT_LE(nearest(hidden.frontier()), 1.29 + 0.035);
+  EXPECT_GE(nearest(hidden.frontier()), 1.29 - 0.12);  // persons are rounded down to whole cells
+  for (const auto& p : hidden.frontier()) EXPECT_LT(p.y_m, -0.95);
+}
+
+/** A pole of 5 cm radius at 1 m: its shadow is wide enough for a disc of 25 cm only 5 m away. But
+ * somebody may come through the wall behind it, of which 30 cm are not seen. */
+TEST(HiddenPeople, NobodyFitsBehindAThinPole) {
+  const PlanarScan scan = around([](double angle) { return std::abs(angle) < 0.05 ? 0.95 : 3.0; });
+  HiddenPeople hidden = people();
+  hidden.update({&scan}, 0.0, {}, kWalk_mps);
+  EXPECT_GT(nearest(hidden.frontier()), 2.8);
+}
+
+/** What was seen empty stays so until somebody can have walked there: the nearest hiding place is
+ * outside the round room, and a pillar of half a metre hides nobody who was not there before. */
+TEST(HiddenPeople, RememberWhatWasSeenEmpty) {
+  const auto room = [](double) { return 3.0; };
+  const auto pillar = [](double angle) { return std::abs(angle) < 0.5 ? 1.0 : 3.0; };
+  const PlanarScan before = around(room), after = around(pillar);
+  HiddenPeople known = people(), unknown = people();
+  known.update({&before}, 0.0, {}, kWalk_mps);
+  known.update({&after}, 0.1, {}, kWalk_mps);
+  unknown.update({&after}, 0.1, {}, kWalk_mps);
+  EXPECT_GT(nearest(known.frontier()), 2.5);
+  EXPECT_LT(nearest(unknown.frontier()), 1.2);
+  known.update({&after}, 3.0, {}, kWalk_mps);  // 2.9 m on foot reach everything behind the pillar
+  EXPECT_LT(nearest(known.frontier()), 1.2);
+}
+
+/** People walk no slower in the grid than they may, and at most two cells ahead of that: a corner
+ * seen once, then hidden by a near wall for half a second. */
+TEST(HiddenPeople, WalkAtTheirSpeed) {
+  HiddenPeopleParameters parameters;
+  parameters.outsideView = HiddenPeopleParameters::OutsideView::Remembered;
+  const PlanarScan scan = around(corner);
+  const PlanarScan blind = around([](double) { return 0.45; });
+  HiddenPeople hidden = people(parameters);
+  hidden.update({&scan}, 0.0, {}, kWalk_mps);
+  const TPoint2D edge{0.3, -2.0};  // seen empty, 0.63 m left of the shadow's edge
+  const auto possibleAt = [&hidden](const TPoint2D& p) {
+    const CostGrid& grid = hidden.possible();
+    return grid.at(grid.cellX(p.x), grid.cellY(p.y)) != 0;
+  };
+  ASSERT_FALSE(possibleAt(edge));
+  double reached_s = 0.0;
+  for (double t = 0.1; t < 1.5 && reached_s == 0.0; t += 0.1) {
+    hidden.update({&blind}, t, {}, kWalk_mps);
+    if (possibleAt(edge)) reached_s = t;
+  }
+  // The edge of the shadow is the line from the origin through (0.5, −1).
+  const double distance = std::abs(0.3 * -1.0 - -2.0 * 0.5) / std::hypot(0.5, 1.0);
+  EXPECT_LE(reached_s, distance / kWalk_mps + 0.11);
+  EXPECT_GE(reached_s, distance / kWalk_mps - 0.15);
+}
+
+/** In what the map calls occupied stands nobody. */
+TEST(HiddenPeople, NobodyIsInsideWalls) {
+  auto map = std::make_shared<mrpt::maps::COccupancyGridMap2D>(-6.0f, 6.0f, -6.0f, 6.0f, 0.05f);
+  map->fill(0.95f);
+  for (float y = -6.0f; y < -1.0f; y += 0.05f)
+    for (float x = -6.0f; x < 6.0f; x += 0.05f) map->setPos(x, y, 0.05f);
+  const PlanarScan scan = around(corner);
+  HiddenPeople hidden = people({}, map);
+  hidden.update({&scan}, 0.0, {}, kWalk_mps);
+  EXPECT_TRUE(hidden.frontier().empty());
+}
+
+/** A laser with a narrow view: behind it, nobody is assumed, or what was there stays there. Behind
+ * the wall that it sees, 3 m away, somebody may be either way. */
+TEST(HiddenPeople, OutsideTheViewIsAChoice) {
+  const PlanarScan ahead = test::scanOf(std::vector<float>(181, 3.0f), M_PI / 2.0);
+  HiddenPeopleParameters remembered;
+  remembered.outsideView = HiddenPeopleParameters::OutsideView::Remembered;
+  HiddenPeople hidden = people(), wary = people(remembered);
+  hidden.update({&ahead}, 0.0, {}, kWalk_mps);
+  wary.update({&ahead}, 0.0, {}, kWalk_mps);
+  EXPECT_GT(nearest(hidden.frontier()), 2.8);
+  EXPECT_LT(nearest(wary.frontier()), 0.5);
+}
+
+/** The same view from anywhere gives the same frontier, but for the cells. */
+TEST(HiddenPeople, MoveWithTheRobot) {
+  const PlanarScan scan = around(corner);
+  HiddenPeople here = people(), there = people();
+  const TPose2D pose{7.35, -3.15, M_PI / 2.0};
+  here.update({&scan}, 0.0, {}, kWalk_mps);
+  there.update({&scan}, 0.0, pose, kWalk_mps);
+  EXPECT_NEAR(nearest(here.frontier()), nearest(there.frontier(), {pose.x, pose.y}), 0.08);
+  EXPECT_NEAR(double(here.frontier().size()), double(there.frontier().size()), 8.0);
+}
+
+}  // namespace
+}  // namespace bslnav

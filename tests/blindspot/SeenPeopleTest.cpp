@@ -1,0 +1,84 @@
+#include <bslnav/blindspot/SeenPeople.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "ScanFixture.h"
+
+namespace bslnav {
+namespace {
+
+constexpr double kWalk_mps = 1.2;
+
+/** 180 beams ahead, no return but for a disc at (x, y). */
+PlanarScan discAt(double x, double y, double radius) {
+  std::vector<float> ranges;
+  constexpr int kBeams = 361;
+  for (int i = 0; i < kBeams; ++i) {
+    const double a = -M_PI / 2.0 + M_PI * i / (kBeams - 1);
+    const double along = x * std::cos(a) + y * std::sin(a),
+                 across = y * std::cos(a) - x * std::sin(a);
+    const bool hit = along > 0.0 && std::abs(across) < radius;
+    ranges.push_back(hit ? static_cast<float>(along - std::sqrt(radius * radius - across * across))
+                         : test::kNone);
+  }
+  return test::scanOf(ranges);
+}
+
+CostGrid freeMap() { return CostGrid(160, 160, 0.05, -4.0, -4.0, 0); }
+
+TEST(SeenPeople, SomebodyWhoStandsMayAlwaysWalkOff) {
+  SeenPeople people({});
+  const PlanarScan scan = discAt(2.0, 0.0, 0.25);
+  for (int k = 0; k < 50; ++k) people.update({&scan}, 0.1 * k, {}, freeMap(), kWalk_mps);
+  ASSERT_EQ(people.tracks().size(), 1u);
+  ASSERT_FALSE(people.frontier().empty());
+  for (const auto& p : people.frontier()) {
+    EXPECT_EQ(p.kind, FrontierPoint::Kind::Seen);
+    EXPECT_NEAR(std::hypot(p.x_m - 2.0, p.y_m), 0.25, 0.01);
+  }
+}
+
+/** A pole of 10 cm is too thin for a person once it has stood for a second. */
+TEST(SeenPeople, APoleThatStandsIsAnObstacle) {
+  SeenPeople people({});
+  const PlanarScan scan = discAt(1.0, 0.2, 0.05);
+  people.update({&scan}, 0.0, {}, freeMap(), kWalk_mps);
+  EXPECT_FALSE(people.frontier().empty());
+  for (int k = 1; k <= 11; ++k) people.update({&scan}, 0.1 * k, {}, freeMap(), kWalk_mps);
+  EXPECT_TRUE(people.frontier().empty());
+}
+
+TEST(SeenPeople, AWideThingIsAnObstacleAtOnce) {
+  SeenPeople people({});
+  const PlanarScan scan = discAt(2.5, 0.0, 0.6);
+  people.update({&scan}, 0.0, {}, freeMap(), kWalk_mps);
+  EXPECT_TRUE(people.frontier().empty());
+}
+
+TEST(SeenPeople, WhatTheMapExplainsIsNobody) {
+  CostGrid map = freeMap();
+  for (int y = 75; y < 85; ++y)
+    for (int x = 115; x < 125; ++x) map.at(x, y) = 255;
+  SeenPeople people({});
+  const PlanarScan scan = discAt(2.0, 0.0, 0.25);
+  people.update({&scan}, 0.0, {}, map, kWalk_mps);
+  EXPECT_TRUE(people.frontier().empty());
+  EXPECT_TRUE(people.tracks().empty());
+}
+
+/** Walking to the left at 1 m/s, seen ten times a second. */
+TEST(SeenPeople, AreFollowed) {
+  SeenPeople people({});
+  for (int k = 0; k < 20; ++k) {
+    const PlanarScan scan = discAt(2.0, -1.0 + 0.1 * k, 0.25);
+    people.update({&scan}, 0.1 * k, {}, freeMap(), kWalk_mps);
+  }
+  ASSERT_EQ(people.tracks().size(), 1u);
+  EXPECT_TRUE(people.tracks()[0].hasMoved);
+  EXPECT_NEAR(people.tracks()[0].velocity.y, 1.0, 0.1);
+  EXPECT_NEAR(people.tracks()[0].velocity.x, 0.0, 0.15);
+}
+
+}  // namespace
+}  // namespace bslnav
