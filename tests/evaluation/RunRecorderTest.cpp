@@ -45,6 +45,28 @@ TEST_F(RunRecorderTest, CyclesHaveOneRowEachWithTheSameColumns) {
     ASSERT_EQ(std::count(line.begin(), line.end(), ','), commas) << line;
 }
 
+TEST_F(RunRecorderTest, CycleRowHasTheCertificateOfTheGuard) {
+  CycleRecord record;
+  record.guard.active = true;
+  record.guard.bound_mps = 0.42;
+  record.guard.slack_m = 10.0;
+  RunRecorder recorder(directory, config);
+  recorder.write(record, {});
+  record.guard.slack_m = -0.03;
+  record.guard.reachAtStop_m = 0.5;
+  record.guard.impact_mps = 0.04;
+  record.guard.binding = FrontierPoint{1.5f, -2.25f, FrontierPoint::Kind::Seen};
+  record.guard.hidden = 7;
+  record.guard.seen = 9;
+  record.guard.lapse = GuardRecord::Lapse::Creeping;
+  recorder.write(record, {});
+  recorder.finish({});
+  const auto lines = linesOf(directory + "/cycles.csv");
+  EXPECT_THAT(lines[1], testing::EndsWith(",0.420,10.000,0.000,0.000,,,,0,0,"));
+  EXPECT_THAT(lines[2],
+              testing::EndsWith(",0.420,-0.030,0.500,0.040,seen,1.500,-2.250,7,9,creeping"));
+}
+
 TEST_F(RunRecorderTest, CycleRowTellsPoseVelocityCommandAndReason) {
   CycleRecord record;
   record.index = 3;
@@ -64,7 +86,7 @@ TEST_F(RunRecorderTest, CycleRowTellsPoseVelocityCommandAndReason) {
   recorder.finish({});
   EXPECT_EQ(linesOf(directory + "/cycles.csv")[1],
             "3,0.300,1.0000,-2.0000,0.50000,1.5000,-2.5000,0.75000,0.2500,-0.12500,0.3000,0.10000,"
-            "follow,ok,no admissible velocity,683,5,2,1,40,,,,,,,,,0.0625,-0.2500");
+            "follow,ok,no admissible velocity,683,5,2,1,40,,,,,,,,,0.0625,-0.2500,,,,,,,,,,");
 }
 
 TEST_F(RunRecorderTest, CandidatesHaveOneRowEach) {

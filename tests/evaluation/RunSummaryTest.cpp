@@ -66,14 +66,27 @@ TEST(Metrics, PercentilesAreThoseOfTheSortedTimes) {
 TEST(Metrics, StagesHaveTheirOwnPercentiles) {
   Metrics metrics;
   CycleRecord record;
-  record.times = {1e-3, 2e-3, 3e-3, 4e-3, 10e-3};
+  record.times = {1e-3, 2e-3, 5e-3, 3e-3, 4e-3, 10e-3};
   metrics.add(record, {}, 0.0, 0.1);
   const RunSummary summary = finished(metrics);
   EXPECT_NEAR(summary.blindSpots_ms.p99, 1.0, 1e-9);
   EXPECT_NEAR(summary.costmap_ms.p50, 2.0, 1e-9);
   EXPECT_NEAR(summary.globalPlan_ms.max, 3.0, 1e-9);
+  EXPECT_NEAR(summary.people_ms.p50, 5.0, 1e-9);
   EXPECT_NEAR(summary.motion_ms.p50, 4.0, 1e-9);
   EXPECT_NEAR(summary.cycle_ms.p50, 10.0, 1e-9);
+}
+
+/** The first cycle is an instant, the second and third last a period each. */
+TEST(Metrics, LapsesOfTheGuardAddUp) {
+  Metrics metrics;
+  CycleRecord record;
+  metrics.add(record, {}, 0.1, 0.1);
+  record.guard.lapse = GuardRecord::Lapse::Creeping;
+  metrics.add(record, {}, 0.1, 0.1);
+  record.guard.lapse = GuardRecord::Lapse::Surprised;
+  metrics.add(record, {}, 0.1, 0.1);
+  EXPECT_NEAR(finished(metrics).lapse_s, 0.2, 1e-9);
 }
 
 TEST(Metrics, NothingAddedIsAllZero) {
