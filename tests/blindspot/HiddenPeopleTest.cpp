@@ -138,6 +138,17 @@ TEST(HiddenPeople, OutsideTheViewIsAChoice) {
   EXPECT_LT(nearest(wary.frontier()), 0.5);
 }
 
+/** A grid that is smaller than the robot: nobody is where the robot is, and nothing else is known.
+ */
+TEST(HiddenPeople, ARobotMayBeLargerThanTheGrid) {
+  HiddenPeopleParameters parameters;
+  parameters.reach_m = 1.0;
+  HiddenPeople hidden(parameters, 1.6, nullptr, {});
+  const PlanarScan scan = around(corner);
+  hidden.update({&scan}, 0.0, {}, kWalk_mps);
+  EXPECT_TRUE(hidden.frontier().empty());
+}
+
 /** The same view from anywhere gives the same frontier, but for the cells. */
 TEST(HiddenPeople, MoveWithTheRobot) {
   const PlanarScan scan = around(corner);

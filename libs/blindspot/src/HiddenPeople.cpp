@@ -220,11 +220,17 @@ void HiddenPeople::keepWhereSomebodyFits() {
   cv::bitwise_and(possible, room, possible);
 }
 
-void HiddenPeople::clearRobot(const mrpt::math::TPose2D& mapFromRobot) {
+/** The square around the robot's body, as far as the grid reaches. */
+CellWindow HiddenPeople::cellsOfRobot(const mrpt::math::TPose2D& mapFromRobot) const {
   const int reach = 1 + static_cast<int>(bodyRadius_m_ / parameters_.resolution_m);
-  const int x0 = possible_.cellX(mapFromRobot.x), y0 = possible_.cellY(mapFromRobot.y);
-  for (int y = y0 - reach; y <= y0 + reach; ++y)
-    for (int x = x0 - reach; x <= x0 + reach; ++x) {
+  const int x = possible_.cellX(mapFromRobot.x), y = possible_.cellY(mapFromRobot.y);
+  return CellWindow{x, y, x + 1, y + 1}.grown(reach).intersected(possible_.bounds());
+}
+
+void HiddenPeople::clearRobot(const mrpt::math::TPose2D& mapFromRobot) {
+  const CellWindow window = cellsOfRobot(mapFromRobot);
+  for (int y = window.y0; y < window.y1; ++y)
+    for (int x = window.x0; x < window.x1; ++x) {
       const double dx = possible_.idx2x(x) - mapFromRobot.x;
       const double dy = possible_.idx2y(y) - mapFromRobot.y;
       if (dx * dx + dy * dy <= bodyRadius_m_ * bodyRadius_m_) possible_.at(x, y) = kNo;
@@ -241,10 +247,9 @@ void HiddenPeople::floodFromRobot(const mrpt::math::TPose2D& mapFromRobot) {
       work_.at(x, y) =
           (possible_.at(x, y) | solid_.at(x, y) | surface_.at(x, y)) == kNo ? kYes : kNo;
   cv::Mat reached = imageOf(work_);
-  const int reach = static_cast<int>(bodyRadius_m_ / parameters_.resolution_m);
-  const int x0 = work_.cellX(mapFromRobot.x), y0 = work_.cellY(mapFromRobot.y);
-  for (int y = y0 - reach; y <= y0 + reach; ++y)
-    for (int x = x0 - reach; x <= x0 + reach; ++x)
+  const CellWindow window = cellsOfRobot(mapFromRobot);
+  for (int y = window.y0; y < window.y1; ++y)
+    for (int x = window.x0; x < window.x1; ++x)
       if (work_.at(x, y) == kYes) cv::floodFill(reached, {x, y}, cv::Scalar(kReached));
   cv::compare(reached, kReached, reached, cv::CMP_EQ);
 }

@@ -31,9 +31,9 @@ void SeenPeopleParameters::describe(ConfigSection& section) {
   section.number("narrowest_m", narrowest_m, kNonNegative, "m",
                  "what is narrower and stands still is an obstacle, not a person");
   section.number("widest_m", widest_m, kPositive, "m",
-                 "what is wider and stands still is an obstacle, not a person");
+                 "what is wider is an obstacle, not a person");
   section.number("standing_s", standing_s, kNonNegative, "s",
-                 "so long has what is not as wide as a person to stand still");
+                 "so long has what is narrower than a person to stand still");
   section.number("still_within_m", stillWithin_m, kPositive, "m",
                  "the middle of what stands still stays within this distance");
 }
@@ -111,7 +111,6 @@ Track& SeenPeople::trackOf(const Thing& thing, double stamp_s, double personSpee
   }
   if (nearest) return *nearest;
   Track track;
-  track.id = nextId_++;
   track.position = track.stoodAt = thing.middle;
   track.firstSeen_s = track.lastSeen_s = track.stillSince_s = stamp_s;
   tracks_.push_back(track);

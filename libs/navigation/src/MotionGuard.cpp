@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kStanding_mps = 0.02;
 
-double speedOfMotion(const mrpt::math::TTwist2D& twist) { return std::hypot(twist.vx, twist.vy); }
+double magnitude(const mrpt::math::TTwist2D& twist) { return std::abs(speedOf(twist)); }
 
 }  // namespace
 
@@ -33,10 +33,21 @@ void MotionGuard::finish(const mrpt::math::TTwist2D& base, const Frontier& front
   if (!guard_.admits(command)) {
     const auto slowest = brakeAlongArc(base, limits_, period_s_);
     command = limited(guard_.capped(command, slowest), base, limits_, period_s_);
+    if (!guard_.admits(command)) command = slowest;
     record.guard.capped = true;
   }
   certify(frontier, record);
   watchStanding(record);
+}
+
+void MotionGuard::finishBlind(CycleRecord& record) {
+  record.guard = {};
+  record.guard.active = true;
+  creeping_ = false;
+  refusedSince_s_ = -1.0;
+  if (magnitude(record.motion.command) < kStanding_mps) return;
+  record.guard.lapse = GuardRecord::Lapse::Blind;
+  record.guard.impact_mps = magnitude(record.motion.command);
 }
 
 void MotionGuard::certify(const Frontier& frontier, CycleRecord& record) const {
@@ -45,7 +56,7 @@ void MotionGuard::certify(const Frontier& frontier, CycleRecord& record) const {
   const GuardVerdict verdict = guard_.judge(command);
   g.bound_mps = guard_.bound_mps(command);
   g.slack_m = verdict.slack_m;
-  const double speed = speedOfMotion(command);
+  const double speed = magnitude(command);
   const auto& robot = guard_.robot();
   g.reachAtStop_m = guard_.parameters().personSpeed_mps *
                     (speed < 1e-3 ? 0.0 : robot.reaction_s + speed / robot.deceleration_mps2);
@@ -64,7 +75,7 @@ void MotionGuard::certify(const Frontier& frontier, CycleRecord& record) const {
 void MotionGuard::watchStanding(CycleRecord& record) {
   const bool refused =
       record.guard.lapse == GuardRecord::Lapse::Creeping ||
-      (speedOfMotion(record.motion.command) < kStanding_mps && record.motion.planned &&
+      (magnitude(record.motion.command) < kStanding_mps && record.motion.planned &&
        (record.guard.capped ||
         std::any_of(record.dwa.candidates.begin(), record.dwa.candidates.end(),
                     [](const Candidate& c) { return c.verdict == Candidate::Verdict::Guarded; })));

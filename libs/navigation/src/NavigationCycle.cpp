@@ -50,6 +50,7 @@ const CycleRecord& NavigationCycle::step(const SensorFrame& frame) {
   record_.guard = {};
   if (record_.health != CycleRecord::Health::Ok) {
     motionPlanner_.forgetProgress();
+    if (guard_) guard_->finishBlind(record_);
   } else if (route_.empty()) {
     record_.path.clear();
     record_.pathStatus = PathResult::Status::Found;

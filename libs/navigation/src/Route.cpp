@@ -67,10 +67,10 @@ void Route::plan(const Surroundings& surroundings, CycleRecord& record) {
 /** With a guard, places near to what nobody can see into cost the time that passing them slowly
  * takes. */
 const CostGrid& Route::costsFor(const Surroundings& surroundings) {
-  if (!surroundings.people()) return surroundings.planningCosts();
+  const People* people = surroundings.people();
+  if (!people || people->frontier().empty()) return surroundings.planningCosts();
   guardedCosts_ = surroundings.planningCosts();
-  addGuardCosts(surroundings.people()->frontier(), guard_, ability_, maxSpeed_mps_, costWeight_,
-                guardedCosts_);
+  addGuardCosts(people->frontier(), guard_, ability_, maxSpeed_mps_, costWeight_, guardedCosts_);
   return guardedCosts_;
 }
 

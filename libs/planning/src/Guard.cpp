@@ -20,7 +20,7 @@ struct StoppingWay {
 
   StoppingWay(const TTwist2D& command, const TPose2D& pose, const StoppingAbility& robot)
       : start(pose.x, pose.y, pose.phi + std::atan2(command.vy, command.vx)),
-        speed_mps(std::hypot(command.vx, command.vy)),
+        speed_mps(std::abs(speedOf(command))),
         curvature_per_m(command.omega / speed_mps),
         reaction_s(robot.reaction_s),
         deceleration_mps2(robot.deceleration_mps2) {}
@@ -45,9 +45,7 @@ struct StoppingWay {
   }
 };
 
-bool isStanding(const TTwist2D& command) {
-  return std::hypot(command.vx, command.vy) < kStanding_mps;
-}
+bool isStanding(const TTwist2D& command) { return std::abs(speedOf(command)) < kStanding_mps; }
 
 }  // namespace
 
@@ -66,6 +64,11 @@ void GuardParameters::describe(ConfigSection& section) {
                  "that the guarantee lapsed");
   section.number("creep_speed_mps", creepSpeed_mps, {0.0, 1.0}, "m/s",
                  "how fast; 0: it waits for ever");
+}
+
+StoppingAbility stoppingAbility(const RobotLimits& limits, const GuardParameters& guard,
+                                double radius_m, double controlPeriod_s) {
+  return {radius_m, limits.deceleration_mps2, controlPeriod_s + guard.latency_s};
 }
 
 GuardVerdict guardVerdict(const TTwist2D& command, const TPose2D& mapFromRobot,
@@ -100,7 +103,7 @@ Guard::Guard(const GuardParameters& parameters, const RobotLimits& limits, doubl
     : parameters_(parameters),
       limits_(limits),
       period_s_(controlPeriod_s),
-      robot_{robotRadius_m, limits.deceleration_mps2, controlPeriod_s + parameters.latency_s} {}
+      robot_(stoppingAbility(limits, parameters, robotRadius_m, controlPeriod_s)) {}
 
 void Guard::begin(const TPose2D& mapFromRobot, const Frontier& frontier, double age_s,
                   bool mayCreep) {
@@ -190,7 +193,7 @@ GuardVerdict Guard::judge(const TTwist2D& command) const {
 }
 
 double Guard::bound_mps(const TTwist2D& arc) const {
-  const double speed = std::hypot(arc.vx, arc.vy);
+  const double speed = std::abs(speedOf(arc));
   const TTwist2D unit = speed < kStanding_mps
                             ? TTwist2D{1.0, 0.0, 0.0}
                             : TTwist2D{arc.vx / speed, arc.vy / speed, arc.omega / speed};
@@ -206,8 +209,8 @@ double Guard::bound_mps(const TTwist2D& arc) const {
 
 TTwist2D Guard::capped(const TTwist2D& command, const TTwist2D& slowest) const {
   if (admits(command)) return command;
-  const double from = std::hypot(command.vx, command.vy);
-  const double to = std::hypot(slowest.vx, slowest.vy);
+  const double from = std::abs(speedOf(command));
+  const double to = std::abs(speedOf(slowest));
   constexpr int kSteps = 10;
   for (int k = 1; k < kSteps && to < from; ++k) {
     const double part = (from + (to - from) * k / kSteps) / from;
@@ -219,9 +222,9 @@ TTwist2D Guard::capped(const TTwist2D& command, const TTwist2D& slowest) const {
 
 TTwist2D brakeAlongArc(const TTwist2D& current, const RobotLimits& limits, double period_s) {
   TTwist2D slower = brake(current, limits, period_s);
-  const double before = std::hypot(current.vx, current.vy);
+  const double before = std::abs(speedOf(current));
   if (before < kStanding_mps) return slower;
-  const double part = std::hypot(slower.vx, slower.vy) / before;
+  const double part = std::abs(speedOf(slower)) / before;
   const double turn = limits.yawAcceleration_radps2 * period_s;
   slower.omega = std::clamp(part * current.omega, current.omega - turn, current.omega + turn);
   return slower;

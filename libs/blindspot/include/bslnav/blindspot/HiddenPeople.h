@@ -46,7 +46,8 @@ class HiddenPeople {
                const std::shared_ptr<const mrpt::maps::COccupancyGridMap2D>& map,
                const StaticParameters& mapThresholds);
 
-  /** Takes in what was seen; without scans nothing changes. No allocation in the steady state.
+  /** Takes in what was seen; without scans nothing changes. OpenCV's filters allocate their work
+   * space in each call.
    *  @param scans in the robot frame of `mapFromRobot`
    *  @param stamp_s when the oldest of them was taken; the state is that of this time
    *  @param personSpeed_mps how fast people walk at most */
@@ -61,8 +62,6 @@ class HiddenPeople {
   const CostGrid& possible() const { return possible_; }
   /** 255 where the map is occupied, else 0. */
   const CostGrid& solid() const { return solid_; }
-  /** 255 where the last scans saw that nobody is, else 0. */
-  const CostGrid& seen() const { return seen_; }
 
  private:
   void recentre(const mrpt::math::TPose2D& mapFromRobot);
@@ -72,6 +71,7 @@ class HiddenPeople {
   void grow(double distance_m);
   void forgetOutsideView(const mrpt::math::TPose2D& mapFromRobot);
   void keepWhereSomebodyFits();
+  CellWindow cellsOfRobot(const mrpt::math::TPose2D& mapFromRobot) const;
   void clearRobot(const mrpt::math::TPose2D& mapFromRobot);
   void floodFromRobot(const mrpt::math::TPose2D& mapFromRobot);
   void findFrontier(const mrpt::math::TPose2D& mapFromRobot);

@@ -14,7 +14,7 @@ struct SeenPeopleParameters {
   double clusterGap_m = 0.3;    ///< hits this near are of one thing
   double mapTolerance_m = 0.2;  ///< a hit this near to an occupied cell of the map is the map's
   double narrowest_m = 0.3, widest_m = 0.9;  ///< of what may be a person
-  double standing_s = 1.0;                   ///< what else stands still for so long is an obstacle
+  double standing_s = 1.0;                   ///< what is narrower and stands so long is an obstacle
   double stillWithin_m = 0.12;  ///< the middle of what stands still stays within this distance
 
   void describe(ConfigSection& section);
@@ -22,7 +22,6 @@ struct SeenPeopleParameters {
 
 /** Something that the map does not explain, followed from scan to scan. */
 struct Track {
-  int id = 0;
   mrpt::math::TPoint2D position, velocity;  ///< of the middle of what is seen; map frame
   double width_m = 0.0;                     ///< the greatest that was seen of it
   double firstSeen_s = 0.0, lastSeen_s = 0.0;
@@ -34,10 +33,10 @@ struct Track {
 
 /** Tells people from obstacles among what the map does not explain.
  *
- * A thing as wide as a person may walk off at any time. What is narrower or wider is an obstacle
- * once it has stood still for a while, unless it was seen to move; without a map, walls are such
- * obstacles. Hits are joined to things in the order of the beams, things to tracks by nearness, and
- * velocities are smoothed. */
+ * A thing as wide as a person may walk off at any time. What is narrower is an obstacle once it has
+ * stood still for a while, unless it was seen to move; what is wider is one at once, as walls are
+ * without a map. Hits are joined to things in the order of the beams, things to tracks by nearness,
+ * and velocities are smoothed. */
 class SeenPeople {
  public:
   explicit SeenPeople(const SeenPeopleParameters& parameters) : parameters_(parameters) {}
@@ -71,7 +70,6 @@ class SeenPeople {
   std::vector<mrpt::math::TPoint2D> points_;
   std::vector<Thing> things_;
   std::vector<Track> tracks_;
-  int nextId_ = 1;
   Frontier frontier_;
 };
 

@@ -29,6 +29,9 @@ class MotionGuard {
    *  @param frontier as in begin() */
   void finish(const mrpt::math::TTwist2D& base, const Frontier& frontier, CycleRecord& record);
 
+  /** The cycle saw nothing: its command brakes, and what it promises is not known. */
+  void finishBlind(CycleRecord& record);
+
  private:
   void certify(const Frontier& frontier, CycleRecord& record) const;
   void watchStanding(CycleRecord& record);

@@ -26,8 +26,6 @@ class People {
   const Frontier& frontier() const { return frontier_; }
   /** When the frontier was seen. */
   double stamp_s() const { return hidden_.stamp_s(); }
-  const HiddenPeople& hidden() const { return hidden_; }
-  const SeenPeople& seen() const { return seen_; }
 
  private:
   HiddenPeople hidden_;

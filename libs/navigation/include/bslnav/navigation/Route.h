@@ -18,8 +18,9 @@ class Route {
         costWeight_(parameters.globalPlanner.costWeight),
         guard_(parameters.guard),
         maxSpeed_mps_(parameters.limits.maxSpeed_mps),
-        ability_{parameters.footprint.circumscribedRadius_m(), parameters.limits.deceleration_mps2,
-                 parameters.cycle.period_s + parameters.guard.latency_s} {}
+        ability_(stoppingAbility(parameters.limits, parameters.guard,
+                                 parameters.footprint.circumscribedRadius_m(),
+                                 parameters.cycle.period_s)) {}
 
   /** Poses in the map frame; the robot passes all but the last one without stopping. */
   void setGoals(std::vector<mrpt::math::TPose2D> goals);

@@ -30,6 +30,11 @@ struct StoppingAbility {
   double reaction_s;         ///< τ: from a measurement until it brakes: control period and latency
 };
 
+/** @param radius_m as in StoppingAbility; the reaction time is the period and the guard's latency
+ */
+StoppingAbility stoppingAbility(const RobotLimits& limits, const GuardParameters& guard,
+                                double radius_m, double controlPeriod_s);
+
 /** Whether somebody could reach the robot while it moves. */
 struct GuardVerdict {
   bool admissible = true;

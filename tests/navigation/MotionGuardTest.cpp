@@ -1,0 +1,98 @@
+#include <bslnav/navigation/CycleRecord.h>
+#include <bslnav/navigation/MotionGuard.h>
+#include <gtest/gtest.h>
+
+#include "NavigationCycleRig.h"
+
+namespace bslnav {
+namespace {
+
+using mrpt::math::TTwist2D;
+using Lapse = GuardRecord::Lapse;
+
+constexpr double kRadius_m = 0.25;
+
+MotionGuard motionGuard(const GuardParameters& parameters = {}) {
+  return MotionGuard(parameters, {}, kRadius_m, test::kPeriod_s);
+}
+
+Frontier ahead(double x_m) {
+  return {{static_cast<float>(x_m), 0.0f, FrontierPoint::Kind::Hidden}};
+}
+
+/** One cycle at the origin in which a planner that knows no guard wants a command. */
+CycleRecord cycle(MotionGuard& guard, double time_s, const Frontier& frontier, const TTwist2D& base,
+                  const TTwist2D& wanted) {
+  CycleRecord record;
+  record.time_s = time_s;
+  guard.begin(record, frontier, time_s);
+  record.motion.command = wanted;
+  record.motion.planned = true;
+  guard.finish(base, frontier, record);
+  return record;
+}
+
+/** From 0.5 m/s with somebody 1 m ahead nothing is admissible: as hard as 0.5 m/s² for 0.1 s
+ * allow. The record says that this does not suffice. */
+TEST(MotionGuard, BrakesWhateverThePlannerWants) {
+  MotionGuard guard = motionGuard();
+  const CycleRecord record = cycle(guard, 0.0, ahead(1.0), {0.5, 0.0, 0.0}, {0.5, 0.0, 0.0});
+  EXPECT_NEAR(record.motion.command.vx, 0.45, 1e-9);
+  EXPECT_TRUE(record.guard.capped);
+  EXPECT_EQ(record.guard.lapse, Lapse::Surprised);
+  EXPECT_GT(record.guard.impact_mps, 0.0);
+  ASSERT_TRUE(record.guard.binding.has_value());
+  EXPECT_FLOAT_EQ(record.guard.binding->x_m, 1.0f);
+}
+
+TEST(MotionGuard, LeavesAnAdmissibleCommandAlone) {
+  MotionGuard guard = motionGuard();
+  const CycleRecord record = cycle(guard, 0.0, ahead(3.5), {0.5, 0.0, 0.0}, {0.55, 0.0, 0.1});
+  EXPECT_EQ(record.motion.command.vx, 0.55);
+  EXPECT_EQ(record.motion.command.omega, 0.1);
+  EXPECT_FALSE(record.guard.capped);
+  EXPECT_EQ(record.guard.lapse, Lapse::None);
+  EXPECT_GT(record.guard.slack_m, 0.0);
+  EXPECT_EQ(record.guard.hidden, 1);
+}
+
+/** Standing before somebody 0.5 m away, it waits for 3 s, then drives at 0.04 m/s at most. */
+TEST(MotionGuard, CreepsAfterAWhile) {
+  MotionGuard guard = motionGuard();
+  for (double t = 0.0; t < 2.95; t += 0.1)
+    ASSERT_EQ(cycle(guard, t, ahead(0.5), {}, {0.04, 0.0, 0.0}).motion.command.vx, 0.0) << t;
+  cycle(guard, 3.0, ahead(0.5), {}, {0.04, 0.0, 0.0});
+  const CycleRecord record = cycle(guard, 3.1, ahead(0.5), {}, {0.04, 0.0, 0.0});
+  EXPECT_EQ(record.motion.command.vx, 0.04);
+  EXPECT_EQ(record.guard.lapse, Lapse::Creeping);
+  EXPECT_NEAR(cycle(guard, 3.2, ahead(0.5), {}, {0.05, 0.0, 0.0}).motion.command.vx, 0.04, 1e-9);
+}
+
+TEST(MotionGuard, NeverCreepsWhenToldSo) {
+  GuardParameters parameters;
+  parameters.creepSpeed_mps = 0.0;
+  MotionGuard guard = motionGuard(parameters);
+  for (double t = 0.0; t < 10.0; t += 0.1)
+    ASSERT_EQ(cycle(guard, t, ahead(0.5), {}, {0.04, 0.0, 0.0}).motion.command.vx, 0.0) << t;
+}
+
+/** Without a usable beam the cycle brakes; the certificate says that it promises nothing. */
+TEST(MotionGuard, ABlindCycleIsALapse) {
+  NavigationParameters parameters = test::method(1);
+  parameters.guard.enabled = true;
+  NavigationCycle cycle(parameters, test::makeMap(-2.0, -3.0, 8.0, 3.0));
+  cycle.setGoals({{6.0, 0.0, 0.0}});
+  SensorFrame frame;
+  frame.startTime_s = test::kStart_s;
+  frame.twist.vx = 0.5;
+  frame.scans = {test::makeScan(0.0, [](int) { return std::nan(""); })};
+  const CycleRecord& record = cycle.step(frame);
+  ASSERT_EQ(record.health, CycleRecord::Health::NoBeams);
+  EXPECT_NEAR(record.motion.command.vx, 0.45, 1e-9);
+  EXPECT_TRUE(record.guard.active);
+  EXPECT_EQ(record.guard.lapse, Lapse::Blind);
+  EXPECT_NEAR(record.guard.impact_mps, 0.45, 1e-9);
+}
+
+}  // namespace
+}  // namespace bslnav
