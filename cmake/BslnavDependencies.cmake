@@ -22,6 +22,8 @@ bslnav_find(TBB)
 bslnav_find(nlohmann_json)
 if(NOT CMAKE_FIND_PACKAGE_NAME)
   bslnav_find(CLI11)  # the programs only
+  set(MPI_CXX_SKIP_MPICXX ON)  # the C interface is enough
+  bslnav_find(MPI COMPONENTS CXX)
 endif()
 
 # Debian's Embree, OpenCV and PCL configurations define no usable interface targets of their own.

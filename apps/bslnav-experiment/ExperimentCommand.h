@@ -38,5 +38,7 @@ std::function<int()> addSeedsCommand(CLI::App& app);
 std::function<int()> addPaperCommand(CLI::App& app);
 /** Adds the subcommand `navigators`. @returns what runs it */
 std::function<int()> addNavigatorsCommand(CLI::App& app);
+/** Adds the subcommand `campaign`. @returns what runs it */
+std::function<int()> addCampaignCommand(CLI::App& app);
 
 }  // namespace bslnav

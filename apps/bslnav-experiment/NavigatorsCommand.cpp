@@ -7,29 +7,11 @@
 #include <iostream>
 #include <memory>
 
+#include "Engines.h"
 #include "ExperimentCommand.h"
 
 namespace bslnav {
 namespace {
-
-/** An engine, and on which robot. */
-struct Engine {
-  std::string name;
-  std::vector<std::string> overrides;
-  bool holonomic = false;
-};
-
-std::vector<Engine> engines() {
-  const auto mrpt = [](const std::string& method) {
-    return std::vector<std::string>{"navigator.type=mrpt", "navigator.mrpt_method=" + method};
-  };
-  return {{"dwa", {"navigator.type=dwa"}},
-          {"ptg", {"navigator.type=ptg"}},
-          {"dwa, holonomic", {"navigator.type=dwa"}, true},
-          {"ptg, holonomic", {"navigator.type=ptg"}, true},
-          {"mrpt ND", mrpt("CHolonomicND")},
-          {"mrpt FullEval", mrpt("CHolonomicFullEval")}};
-}
 
 /** The cases of a scenario file: each engine with each method. */
 void addCases(const std::string& file, const ExperimentOptions& options,
@@ -37,13 +19,12 @@ void addCases(const std::string& file, const ExperimentOptions& options,
   for (const Engine& engine : engines())
     for (const int method : options.methods) {
       CommonOptions common = options.common;
-      common.configs = {file};
-      if (engine.holonomic)
-        common.configs.push_back(dataDirectory() + "/config/robots/holonomic.ini");
+      common.configs = engine.files();
+      common.configs.insert(common.configs.begin(), file);
       common.overrides.insert(common.overrides.begin(), engine.overrides.begin(),
                               engine.overrides.end());
       cases.push_back(loadCase(std::filesystem::path(file).stem().string(), common, method));
-      names.push_back(engine.name);
+      names.push_back(engine.title);
     }
 }
 

@@ -16,7 +16,8 @@ AppProcess::AppProcess(const std::string& program, const Arguments& arguments,
                        std::string directory)
     : directory_(std::move(directory)) {
   Arguments words = arguments;
-  words.insert(words.begin(), std::string(BSLNAV_PROGRAMS "/") + program);
+  const bool ofThisBuild = program.front() != '/';
+  words.insert(words.begin(), (ofThisBuild ? BSLNAV_PROGRAMS "/" : "") + program);
   std::vector<char*> argv;
   argv.reserve(words.size() + 1);
   for (auto& word : words) argv.push_back(word.data());

@@ -15,10 +15,11 @@ struct AppResult {
   std::string out, err;
 };
 
-/** A program of this build as a child process, its output going to files. */
+/** A program as a child process, its output going to files. */
 class AppProcess {
  public:
-  /** Starts it. @param program name of the program @param directory of its output files */
+  /** Starts it. @param program name of a program of this build, or a path @param directory of its
+   * output files */
   AppProcess(const std::string& program, const Arguments& arguments, std::string directory);
   /** Kills it if it is still running. */
   ~AppProcess();

@@ -83,5 +83,40 @@ TEST(Pedestrian, StopsAtTheEndOfTheWalk) {
   EXPECT_TRUE(person.started(50.0));
 }
 
+TEST(Pedestrian, PausesOnceOnTheWay) {
+  auto parameters = test::walker({{0, 0}, {3, 0}}, 1.0);
+  parameters.pauseAfter_m = 1.0;
+  parameters.pause_s = 2.0;
+  const Pedestrian person(parameters);
+  expectAt(person.position(0.5), 0.5, 0.0);
+  expectAt(person.position(1.5), 1.0, 0.0);
+  expectAt(person.position(2.9), 1.0, 0.0);
+  expectAt(person.position(3.5), 1.5, 0.0);
+  expectAt(person.position(9.0), 3.0, 0.0);
+  EXPECT_EQ(person.speed_mps(0.5), 1.0);
+  EXPECT_EQ(person.speed_mps(2.0), 0.0);
+  EXPECT_EQ(person.speed_mps(4.0), 1.0);
+  EXPECT_EQ(person.speed_mps(9.0), 0.0);
+}
+
+TEST(Pedestrian, WhoYieldsWaitsForTheRobotAndThenWalksOn) {
+  auto parameters = test::walker({{0, 0}, {3, 0}}, 1.0);
+  parameters.yieldsWithin_m = 0.6;
+  Pedestrian person(parameters);
+  for (int i = 0; i < 400; ++i) person.observeRobot({2, 0}, i * 0.01, {2, 0}, (i + 1) * 0.01);
+  EXPECT_NEAR(person.position(4.0).x, 1.4, 0.011);  // 0.6 m before the robot that stands there
+  EXPECT_EQ(person.position(4.0), person.position(3.99));
+  for (int i = 400; i < 500; ++i) person.observeRobot({2, 5}, i * 0.01, {2, 5}, (i + 1) * 0.01);
+  EXPECT_NEAR(person.position(5.0).x, 2.4, 0.011);
+}
+
+TEST(Pedestrian, WhoYieldsWalksAwayFromARobotThatIsNear) {
+  auto parameters = test::walker({{0, 0}, {3, 0}}, 1.0);
+  parameters.yieldsWithin_m = 0.6;
+  Pedestrian person(parameters);
+  for (int i = 0; i < 100; ++i) person.observeRobot({-0.3, 0}, i * 0.01, {-0.3, 0}, (i + 1) * 0.01);
+  expectAt(person.position(1.0), 1.0, 0.0);
+}
+
 }  // namespace
 }  // namespace bslnav

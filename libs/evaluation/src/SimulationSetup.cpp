@@ -10,6 +10,8 @@
 namespace bslnav {
 namespace {
 
+constexpr double kSurveyHeight_m = 0.25;  // of a map of the world for a robot without laser
+
 /** A map file as given, else in the project's data directory: scenarios work from any directory. */
 std::string findMap(const std::string& file) {
   const std::string shipped = dataDirectory() + "/" + file;
@@ -108,7 +110,8 @@ void SimulationSetup::check() const {
     Config::refuse("limits", "max_lateral_speed_mps",
                    "0 unless [simulated_robot] kinematics = holonomic");
   canDo(limits.maxLateralSpeed_mps, simulatedRobot.maxSpeed_mps, "max_lateral_speed_mps");
-  if (lasers.empty()) Config::refuse("laser:NAME", "beams", "at least one laser");
+  if (lasers.empty() && !navigation.depth.enabled)
+    Config::refuse("laser:NAME", "beams", "at least one laser unless [depth] enabled");
   for (const auto& [name, camera] : cameras) camera.check(name);
   if (navigation.depth.enabled && cameras.empty())
     Config::refuse("camera:NAME", "columns", "at least one camera when [depth] enabled");
@@ -117,8 +120,9 @@ void SimulationSetup::check() const {
 std::shared_ptr<const mrpt::maps::COccupancyGridMap2D> SimulationSetup::makeMap() const {
   if (scenario.map == "none") return nullptr;
   std::shared_ptr<const mrpt::maps::COccupancyGridMap2D> map;
+  const double surveyHeight_m = lasers.empty() ? kSurveyHeight_m : lasers.begin()->second.z_m;
   if (scenario.map == "world")
-    map = staticMap(world, navigation.costmap.resolution_m, lasers.begin()->second.z_m, 1.0);
+    map = staticMap(world, navigation.costmap.resolution_m, surveyHeight_m, 1.0);
   else
     map = loadMap(findMap(scenario.map));
   for (const auto& goal : scenario.goals)

@@ -1,5 +1,6 @@
 #include <bslnav/simulation/Pedestrian.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace bslnav {
@@ -29,29 +30,48 @@ Pedestrian::Pedestrian(const PedestrianParameters& parameters) : parameters_(par
 
 void Pedestrian::observeRobot(const TPoint2D& from, double from_s, const TPoint2D& to,
                               double to_s) {
-  if (std::isfinite(start_s_)) return;
+  if (std::isfinite(start_s_)) return yieldTo(to, from_s, to_s);
   const auto& line = parameters_.triggerLine_m;
   const double fraction = crossing(from, to, line[0], line[1]);
   if (!std::isnan(fraction))
     start_s_ = from_s + fraction * (to_s - from_s) + parameters_.startDelay_s;
 }
 
-TPoint2D Pedestrian::position(double time_s) const {
+void Pedestrian::yieldTo(const TPoint2D& robot, double from_s, double to_s) {
+  const double within_m = parameters_.yieldsWithin_m;
+  if (within_m <= 0.0) return;
+  const double now_m = (position(from_s) - robot).norm(), next_m = (position(to_s) - robot).norm();
+  waits_ = next_m < within_m && next_m < now_m;
+  if (waits_) waited_s_ += to_s - from_s;
+}
+
+double Pedestrian::walked_m(double time_s) const {
+  if (!started(time_s)) return 0.0;
+  const double walking_s = time_s - start_s_ - waited_s_;
+  const double withoutPause_m = walking_s * parameters_.speed_mps;
+  if (withoutPause_m <= parameters_.pauseAfter_m) return std::max(0.0, withoutPause_m);
+  return std::max(parameters_.pauseAfter_m,
+                  (walking_s - parameters_.pause_s) * parameters_.speed_mps);
+}
+
+TPoint2D Pedestrian::position(double time_s) const { return pointAfter(walked_m(time_s)); }
+
+TPoint2D Pedestrian::pointAfter(double walked_m) const {
   const auto& path = parameters_.path_m;
-  if (!started(time_s)) return path.front();
-  double left_m = (time_s - start_s_) * parameters_.speed_mps;
   for (std::size_t i = 1; i < path.size(); ++i) {
     const TPoint2D segment = path[i] - path[i - 1];
     const double length_m = segment.norm();
-    if (left_m < length_m) return path[i - 1] + segment * (left_m / length_m);
-    left_m -= length_m;
+    if (walked_m < length_m) return path[i - 1] + segment * (walked_m / length_m);
+    walked_m -= length_m;
   }
   return path.back();
 }
 
 double Pedestrian::speed_mps(double time_s) const {
+  constexpr double kMoment_s = 1e-3;
+  const double walked = walked_m(time_s);
   const bool walking =
-      started(time_s) && (time_s - start_s_) * parameters_.speed_mps < pathLength_m_;
+      started(time_s) && !waits_ && walked < pathLength_m_ && walked_m(time_s + kMoment_s) > walked;
   return walking ? parameters_.speed_mps : 0.0;
 }
 

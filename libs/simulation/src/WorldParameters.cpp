@@ -35,8 +35,13 @@ void check(const std::string& section, const PedestrianParameters& person) {
   requirePositive(section, "speed_mps", person.speed_mps);
   requirePositive(section, "radius_m", person.radius_m);
   requirePositive(section, "height_m", person.height_m);
-  if (!(person.startDelay_s >= 0.0))
-    Config::refuse(section, "start_delay_s", "a number of at least 0");
+  const auto requireNonNegative = [&section](const std::string& key, double value) {
+    if (!(value >= 0.0)) Config::refuse(section, key, "a number of at least 0");
+  };
+  requireNonNegative("start_delay_s", person.startDelay_s);
+  requireNonNegative("pause_after_m", person.pauseAfter_m);
+  requireNonNegative("pause_s", person.pause_s);
+  requireNonNegative("yields_within_m", person.yieldsWithin_m);
   if (person.triggerLine_m.empty()) return;
   if (person.triggerLine_m.size() != 2)
     Config::refuse(section, "trigger_line_m", "two points, or none to start at once");
@@ -75,6 +80,12 @@ void PedestrianParameters::describe(ConfigSection& section) {
                  "between them; empty: at once");
   section.number("start_delay_s", startDelay_s, kNonNegative, "s",
                  "time from the trigger to the first step");
+  section.number("pause_after_m", pauseAfter_m, kNonNegative, "m",
+                 "after so much of the path the person stands for pause_s");
+  section.number("pause_s", pause_s, kNonNegative, "s", "how long; 0: no pause");
+  section.number("yields_within_m", yieldsWithin_m, kNonNegative, "m",
+                 "the person waits while the next step would lead nearer to the robot's centre and "
+                 "into this distance; 0: does not see the robot");
 }
 
 void WorldParameters::check() const {

@@ -32,10 +32,12 @@ class Config {
   }
 
   /** Adds a repeated section: each `[kind:NAME]` in a file makes (or goes on with) entry NAME of
-   * `entries`. */
+   * `entries`. Entries that are there already are bound, too. */
   template <typename Parameters>
   void bindRepeated(const std::string& kind, const std::string& description,
                     std::map<std::string, Parameters>& entries) {
+    for (auto& [name, parameters] : entries)
+      bind(std::string(kind).append(":").append(name), description, parameters);
     repeated_.push_back({kind, description,
                          [&entries](const std::string& name, ConfigSection& section) {
                            entries[name].describe(section);

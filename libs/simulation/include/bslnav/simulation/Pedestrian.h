@@ -6,18 +6,20 @@
 
 namespace bslnav {
 
-/** One person's walk: waits for trigger and delay, walks the path once, stands at its end. */
+/** One person's walk: waits for trigger and delay, walks the path once, stands at its end; in
+ * between one pause, and waits for the robot, where the parameters say so. */
 class Pedestrian {
  public:
   explicit Pedestrian(const PedestrianParameters& parameters);
 
   /** Tells that the robot's centre moved straight between two points of the map in this interval.
    *
-   *  The first crossing of the trigger line, at its exact time, starts the walk. */
+   *  The first crossing of the trigger line, at its exact time, starts the walk. Who yields stands
+   *  still in this interval when walking on would lead too near to `to`. */
   void observeRobot(const mrpt::math::TPoint2D& from, double from_s, const mrpt::math::TPoint2D& to,
                     double to_s);
 
-  /** Exact position in the map at a time, given the trigger known so far. */
+  /** Exact position in the map at a time, given the trigger and the waiting known so far. */
   mrpt::math::TPoint2D position(double time_s) const;
   /** Whether the walk has begun; stays true at its end. */
   bool started(double time_s) const { return time_s >= start_s_; }
@@ -26,8 +28,13 @@ class Pedestrian {
   const PedestrianParameters& parameters() const { return parameters_; }
 
  private:
+  double walked_m(double time_s) const;
+  mrpt::math::TPoint2D pointAfter(double walked_m) const;
+  void yieldTo(const mrpt::math::TPoint2D& robot, double from_s, double to_s);
+
   PedestrianParameters parameters_;
-  double pathLength_m_ = 0.0;
+  double pathLength_m_ = 0.0, waited_s_ = 0.0;
+  bool waits_ = false;  // for the robot, now
   double start_s_ = std::numeric_limits<double>::infinity();
 };
 

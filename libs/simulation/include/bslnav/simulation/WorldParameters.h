@@ -41,13 +41,15 @@ struct CylinderParameters {
   void describe(ConfigSection& section);
 };
 
-/** A person who walks a path once, at constant speed, and stays at its end. */
+/** A person who walks a path once, at constant speed but for one pause, and stays at its end. */
 struct PedestrianParameters {
   std::vector<mrpt::math::TPoint2D> path_m;  ///< at least two points
   double speed_mps = 4.0 / 3.6;              ///< paper: 4.0 km/h
   double radius_m = 0.25, height_m = 1.7;
   std::vector<mrpt::math::TPoint2D> triggerLine_m;  ///< two points, or empty: triggered at time 0
   double startDelay_s = 0.0;                        ///< from the trigger to the first step
+  double pauseAfter_m = 0.0, pause_s = 0.0;         ///< where on the path to stand, and how long
+  double yieldsWithin_m = 0.0;  ///< waits while going on would lead nearer to the robot's centre
 
   void describe(ConfigSection& section);
 };
