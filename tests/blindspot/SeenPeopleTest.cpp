@@ -39,6 +39,37 @@ TEST(SeenPeople, SomebodyWhoStandsMayAlwaysWalkOff) {
   }
 }
 
+TEST(SeenPeople, WhoWalksIsAMoverAndWhoStandsIsNone) {
+  SeenPeople people({});
+  for (int k = 0; k < 20; ++k) {
+    const PlanarScan scan = discAt(2.0, 1.0 - 0.1 * k, 0.25);  // to the right, at 1 m/s
+    people.update({&scan}, 0.1 * k, {}, freeMap(), kWalk_mps);
+    if (k == 1) EXPECT_TRUE(people.movers().empty());  // too early to tell
+  }
+  ASSERT_EQ(people.movers().size(), 1u);
+  EXPECT_NEAR(people.movers()[0].velocity.y, -1.0, 0.15);
+  EXPECT_NEAR(people.movers()[0].position.y, -0.9, 0.15);
+  const PlanarScan still = discAt(2.0, -0.9, 0.25);
+  for (int k = 20; k < 30; ++k) people.update({&still}, 0.1 * k, {}, freeMap(), kWalk_mps);
+  EXPECT_TRUE(people.movers().empty());
+}
+
+TEST(SeenPeople, WhoStandsAHandAwayFromSomethingWideIsStillAPerson) {
+  SeenPeople people({});
+  const PlanarScan wide = discAt(2.5, 0.9, 0.6), person = discAt(2.5, -0.2, 0.25);
+  std::vector<float> ranges;
+  for (int i = 0; i < wide.size(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const bool ofWide = wide.beam[k] == PlanarScan::Beam::Hit;
+    ranges.push_back((ofWide ? wide : person).range_m[k]);
+    if (!ofWide && person.beam[k] != PlanarScan::Beam::Hit) ranges.back() = test::kNone;
+  }
+  const PlanarScan both = test::scanOf(ranges);
+  for (int k = 0; k < 5; ++k) people.update({&both}, 0.1 * k, {}, freeMap(), kWalk_mps);
+  ASSERT_FALSE(people.frontier().empty());
+  for (const auto& p : people.frontier()) EXPECT_LT(p.y_m, 0.1);
+}
+
 /** A pole of 10 cm is too thin for a person once it has stood for a second. */
 TEST(SeenPeople, APoleThatStandsIsAnObstacle) {
   SeenPeople people({});

@@ -8,9 +8,11 @@ namespace {
 
 using mrpt::math::TPoint2D;
 
-constexpr double kForget_s = 1.0;   // a track not seen for so long ends
-constexpr double kSmoothing = 0.4;  // part of a new velocity in the smoothed one
-constexpr double kSlack_m = 0.3;    // of the visible middle between two scans, besides walking
+constexpr double kForget_s = 1.0;      // a track not seen for so long ends
+constexpr double kSmoothing = 0.4;     // part of a new velocity in the smoothed one
+constexpr double kKnown_s = 0.25;      // before that a velocity is not known
+constexpr double kWalking_mps = 0.35;  // slower, it may be the view of a thing that changes
+constexpr double kSlack_m = 0.3;       // of the visible middle between two scans, besides walking
 
 bool isNearSolid(const CostGrid& solid, const TPoint2D& p, int reach) {
   const int x0 = solid.cellX(p.x), y0 = solid.cellY(p.y);
@@ -58,6 +60,17 @@ void SeenPeople::update(const std::vector<const PlanarScan*>& scans, double stam
       std::remove_if(tracks_.begin(), tracks_.end(),
                      [stamp_s](const Track& t) { return stamp_s - t.lastSeen_s > kForget_s; }),
       tracks_.end());
+  findMovers(stamp_s);
+}
+
+void SeenPeople::findMovers(double stamp_s) {
+  movers_.clear();
+  for (const Track& track : tracks_) {
+    const bool known = track.lastSeen_s - track.firstSeen_s >= kKnown_s;
+    if (!track.mayWalk || !known || track.velocity.norm() < kWalking_mps) continue;
+    const double unseen_s = stamp_s - track.lastSeen_s;
+    movers_.push_back({track.position + track.velocity * unseen_s, track.velocity});
+  }
 }
 
 void SeenPeople::findThings(const PlanarScan& scan, const mrpt::math::TPose2D& mapFromRobot,

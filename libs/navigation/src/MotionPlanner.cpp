@@ -129,7 +129,7 @@ Motion MotionPlanner::follow(const Input& input, const CostGrid& costs) {
   const bool atEnd = (localGoal - input.path.back()).norm() < 1e-9;
   const double tolerance_m = stops ? parameters_.goalTolerance_m : input.passWithin_m;
   dwa_ = &planner_->plan({input.mapFromRobot, input.commandBase, input.path, localGoal,
-                          atEnd ? tolerance_m : 0.0, atEnd && stops, input.guard},
+                          atEnd ? tolerance_m : 0.0, atEnd && stops, input.guard, input.movers},
                          costs);
   motion.mode = MotionMode::Follow;
   motion.planned = true;

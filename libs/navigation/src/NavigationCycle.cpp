@@ -24,6 +24,7 @@ NavigationCycle::NavigationCycle(const NavigationParameters& parameters,
       period_s_(parameters.cycle.period_s),
       surroundings_(parameters, map),
       route_(parameters),
+      movers_(parameters.movers, parameters.footprint.circumscribedRadius_m()),
       motionPlanner_(parameters.motion, parameters.recovery,
                      makeLocalPlanner(parameters, surroundings_.footprintCover()),
                      parameters.limits, surroundings_.footprintCover(), parameters.cycle.period_s) {
@@ -70,9 +71,11 @@ void NavigationCycle::move(const mrpt::math::TTwist2D& base) {
   const People* people = surroundings_.people();
   const Guard* guard =
       guard_ ? &guard_->begin(record_, people->frontier(), people->stamp_s()) : nullptr;
-  record_.motion = motionPlanner_.step({record_.time_s, record_.mapFromRobot, record_.twist, base,
-                                        record_.path, route_.goal(), route_.passWithin_m(), guard},
-                                       surroundings_.localCosts());
+  if (people) movers_.begin(record_.mapFromRobot, people->movers());
+  record_.motion = motionPlanner_.step(
+      {record_.time_s, record_.mapFromRobot, record_.twist, base, record_.path, route_.goal(),
+       route_.passWithin_m(), guard, people ? &movers_ : nullptr},
+      surroundings_.localCosts());
   if (record_.motion.planned) record_.dwa = motionPlanner_.dwa();
   if (guard_) guard_->finish(base, people->frontier(), record_);
 }

@@ -60,6 +60,7 @@ void CandidateEvaluator::begin(const DwaInput& input, const CostGrid& costs) {
   twist_ = input.twist;
   costs_ = &costs;
   guard_ = input.guard;
+  movers_ = input.movers;
 }
 
 void CandidateEvaluator::evaluate(Candidate& candidate) const {
@@ -101,7 +102,8 @@ void CandidateEvaluator::judge(Candidate& candidate, const RolloutOutcome& rollo
   const double speed_mps = candidate.speed_mps();
   candidate.terms = {pathDistance_(rollout.endPoint), goalTerm(rollout, speed_mps, setup_),
                      dangerTerm(rollout.highestCost, unavoidable, parameters_.weights),
-                     velocityTerm(speed_mps, parameters_.weights)};
+                     velocityTerm(speed_mps, parameters_.weights),
+                     movers_ ? movers_->cost(candidate.twist()) : 0.0};
   candidate.total = weighted(candidate.terms, parameters_.weights);
 }
 

@@ -11,6 +11,8 @@ void CostWeights::describe(ConfigSection& section) {
                  "W_dan: weight of the highest cost along the rollout");
   section.number("weight_velocity", velocity, kNonNegative, "m/s",
                  "W_vel: weight of 1/v; the paper's is 0.5");
+  section.number("weight_movers", movers, kNonNegative, "",
+                 "W_mov: weight of being in the way of people who are seen walking");
   section.number("danger_divisor", dangerDivisor, {1.0, 255.0}, "",
                  "c_dan is the highest cost divided by this");
   section.number("speed_floor_mps", speedFloor_mps, {0.001, 10.0}, "m/s",

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <bslnav/blindspot/Frontier.h>
+#include <bslnav/blindspot/Mover.h>
 #include <bslnav/config/ConfigSection.h>
 #include <bslnav/costmap/CostGrid.h>
 #include <bslnav/costmap/PlanarScan.h>
@@ -11,7 +12,7 @@
 namespace bslnav {
 
 struct SeenPeopleParameters {
-  double clusterGap_m = 0.3;    ///< hits this near are of one thing
+  double clusterGap_m = 0.15;   ///< hits this near are of one thing
   double mapTolerance_m = 0.2;  ///< a hit this near to an occupied cell of the map is the map's
   double narrowest_m = 0.3, widest_m = 0.9;  ///< of what may be a person
   double standing_s = 1.0;                   ///< what is narrower and stands so long is an obstacle
@@ -50,6 +51,8 @@ class SeenPeople {
 
   /** The points seen of all who may walk, map frame. */
   const Frontier& frontier() const { return frontier_; }
+  /** Those who walk, as fast as they are seen to. */
+  const Movers& movers() const { return movers_; }
   /** All that is followed, people and obstacles. */
   const std::vector<Track>& tracks() const { return tracks_; }
 
@@ -62,6 +65,7 @@ class SeenPeople {
 
   void findThings(const PlanarScan& scan, const mrpt::math::TPose2D& mapFromRobot,
                   const CostGrid& solid);
+  void findMovers(double stamp_s);
   void addThing(std::size_t first);
   Track& trackOf(const Thing& thing, double stamp_s, double personSpeed_mps);
   void follow(Track& track, const Thing& thing, double stamp_s) const;
@@ -71,6 +75,7 @@ class SeenPeople {
   std::vector<Thing> things_;
   std::vector<Track> tracks_;
   Frontier frontier_;
+  Movers movers_;
 };
 
 }  // namespace bslnav

@@ -62,6 +62,7 @@ class MotionPlanner {
     mrpt::math::TPose2D goal;      ///< where the path leads; its heading is taken up on arrival
     double passWithin_m = 0.0;     ///< above 0: a waypoint, passed this near without stopping
     const Guard* guard = nullptr;  ///< what it refuses is no candidate
+    const MoverForecast* movers = nullptr;  ///< whom not to be in the way of
   };
 
   Motion step(const Input& input, const CostGrid& costs);

@@ -48,6 +48,7 @@ class NavigationCycle {
   double period_s_;
   Surroundings surroundings_;
   Route route_;
+  MoverForecast movers_;
   MotionPlanner motionPlanner_;
   std::optional<MotionGuard> guard_;
   CycleRecord record_;

@@ -66,6 +66,7 @@ struct NavigationParameters {
   DepthClusterParameters depthClusters;
   DangerZoneParameters dangerZone;
   GuardParameters guard;
+  MoverParameters movers;
   HiddenPeopleParameters hiddenPeople;
   SeenPeopleParameters seenPeople;
   GlobalPlannerParameters globalPlanner;

@@ -24,6 +24,8 @@ class People {
 
   /** The places from which they come, map frame: first the hidden ones, then those seen. */
   const Frontier& frontier() const { return frontier_; }
+  /** Those who are seen walking. */
+  const Movers& movers() const { return seen_.movers(); }
   /** When the frontier was seen. */
   double stamp_s() const { return hidden_.stamp_s(); }
 

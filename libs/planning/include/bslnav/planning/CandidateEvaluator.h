@@ -48,6 +48,7 @@ class CandidateEvaluator {
   mrpt::math::TTwist2D twist_;  // that the robot has now
   const CostGrid* costs_ = nullptr;
   const Guard* guard_ = nullptr;
+  const MoverForecast* movers_ = nullptr;
 };
 
 /** The highest speed that is wanted now: the robot does not creep towards a goal, nor overshoot it.

@@ -9,9 +9,10 @@
 namespace bslnav {
 
 /** The weights and scales of the paper's cost J = W_pos·c_pos + W_gol·c_gol + W_dan·c_dan +
- * W_vel·c_vel (eq. 10, table I). */
+ * W_vel·c_vel (eq. 10, table I), and of our own W_mov·c_mov. */
 struct CostWeights {
   double path = 2.0, goal = 1.0, danger = 10.0, velocity = 0.0;
+  double movers = 0.0;  ///< W_mov: above the weight of 1/v at a standstill, or nobody is let pass
   double dangerDivisor =
       253.0;  ///< scales the highest cost to 0..1; with raw costs it drowns the other terms
   double speedFloor_mps = 0.05;  ///< c_vel = 1/v is limited to 1/floor
@@ -19,13 +20,14 @@ struct CostWeights {
   void describe(ConfigSection& section);
 };
 
-/** The four terms of one candidate, before weighting. */
+/** The terms of one candidate, before weighting. */
 struct CostTerms {
   double path = 0.0;  ///< c_pos: end point to the global path [m]
   double goal = 0.0;  ///< c_gol: end point to the local goal [m]; negative when it passes the goal
   double danger =
       0.0;  ///< c_dan: highest cost along the rollout / divisor; to the goal: above the goal's own
   double velocity = 0.0;  ///< c_vel: 1/v [s/m]
+  double movers = 0.0;    ///< c_mov: how much in the way of people who walk, 0 to 2
 };
 
 /** c_gol. A rollout that passes the goal counts as if it went on: its term falls below zero by what
@@ -46,7 +48,8 @@ inline double velocityTerm(double speed_mps, const CostWeights& weights) {
 
 /** J of one candidate. */
 inline double weighted(const CostTerms& c, const CostWeights& w) {
-  return w.path * c.path + w.goal * c.goal + w.danger * c.danger + w.velocity * c.velocity;
+  return w.path * c.path + w.goal * c.goal + w.danger * c.danger + w.velocity * c.velocity +
+         w.movers * c.movers;
 }
 
 }  // namespace bslnav

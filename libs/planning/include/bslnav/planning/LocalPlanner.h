@@ -2,6 +2,7 @@
 
 #include <bslnav/planning/CostTerms.h>
 #include <bslnav/planning/Guard.h>
+#include <bslnav/planning/MoverForecast.h>
 #include <bslnav/planning/RobotLimits.h>
 #include <bslnav/planning/Rollout.h>
 #include <mrpt/math/TTwist2D.h>
@@ -19,6 +20,7 @@ struct DwaInput {
   double goalTolerance_m = 0.0;  ///< above 0: a rollout that comes this near has reached the goal
   bool stopsAtGoal = true;       ///< with a tolerance: whether the robot is to stop there
   const Guard* guard = nullptr;  ///< what it refuses is not driven; null: anything may be
+  const MoverForecast* movers = nullptr;  ///< whom not to be in the way of; null: nobody
 };
 
 /** One velocity that was considered, with all that was thought of it. */
