@@ -6,6 +6,10 @@
 #include <bslnav/evaluation/ScenePicture.h>
 #include <bslnav/evaluation/SimulationPictures.h>
 #include <bslnav/evaluation/SimulationRun.h>
+#include <bslnav/simulation/MvsimWorld.h>
+#ifdef BSLNAV_WITH_MVSIM
+#include <bslnav/mvsim/MvsimSimulator.h>
+#endif
 
 #include <iostream>
 #include <optional>
@@ -35,6 +39,17 @@ void saveScene(const bslnav::RunScene& scene, const bslnav::RecordingParameters&
   }
 }
 
+/** The engines that this build has. */
+bslnav::SimulationEngines availableEngines() {
+  bslnav::SimulationEngines engines;
+#ifdef BSLNAV_WITH_MVSIM
+  engines.add(bslnav::EngineKind::Mvsim, [](const bslnav::SimulationCase& simulated) {
+    return std::make_unique<bslnav::MvsimSimulator>(simulated);
+  });
+#endif
+  return engines;
+}
+
 int drive(const bslnav::CommonOptions& options) {
   using namespace bslnav;
   SimulationSetup setup;
@@ -48,24 +63,30 @@ int drive(const bslnav::CommonOptions& options) {
   if (options.configs.empty())
     throw Error("CONFIG", "no configuration; expected bslnav CONFIG.ini, see --help");
   setup.check();
+  const SimulationEngines engines = availableEngines();
+  engines.check(setup.simulation.engine);
   const auto map = setup.makeMap();
 
   RunRecorder recorder(options.out, config);
   if (setup.pictures.recordCandidates) recorder.recordCandidates();
+  if (setup.recording.mvsimWorld)
+    writeFile(recorder.path("world.mvsim.xml"), mvsimWorld(setup.simulationCase(options.seed)));
   std::optional<RunRawlog> rawlog;
   if (setup.recording.rawlog) rawlog.emplace(recorder.path("run.rawlog"));
   RunScene scene(setup, map);
   SimulationPictures pictures(setup, map);
   listenForInterrupts();
-  const RunSummary summary =
-      runSimulation(setup, options.seed, [&](const SimulationMoment& moment) {
+  const RunSummary summary = runSimulation(
+      setup, options.seed,
+      [&](const SimulationMoment& moment) {
         recorder.write(moment.record, moment.truth.pose);
         if (rawlog) rawlog->write(moment.frame);
         if (setup.recording.scene || setup.recording.scenePicture) scene.observe(moment);
         pictures.observe(moment);
         if (moment.record.index % 10 == 0) showProgress(progressLine(moment.record), options.quiet);
         return !interrupted();
-      });
+      },
+      engines);
   showProgress("", options.quiet);
   recorder.finish(summary);
   auto paths = pictures.save(summary, recorder.directory());
