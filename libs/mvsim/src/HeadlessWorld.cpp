@@ -34,6 +34,9 @@ HeadlessWorld::HeadlessWorld(const SimulationCase& simulated)
       [this](const mvsim::Simulable&, const mrpt::obs::CObservation::Ptr& observation) {
         newest_ = std::dynamic_pointer_cast<mrpt::obs::CObservation2DRangeScan>(observation);
       });
+  // Contact moves nothing, as in our simulator: it is judged with the exact outlines.
+  vehicle().get_fixture_chassis()->SetSensor(true);
+  for (b2Fixture* wheel : vehicle().get_fixture_wheels()) wheel->SetSensor(true);
   world_.run_simulation(1e-6);  // too short for a step: MVSim only sets the start of its clock
 }
 

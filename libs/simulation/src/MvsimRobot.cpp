@@ -94,6 +94,11 @@ void writeRobot(MvsimXml& xml, const SimulationCase& simulated) {
   xml.open("vehicle", {{"name", "robot"}});
   xml.leaf("init_pose", xmlNumbers({start.x, start.y, start.phi * kDegPerRad}));
   writeDrive(xml, simulated.outline);
+  // MVSim's damping of 1 would make the speeds of wheels as light as these diverge.
+  xml.open("friction", {{"class", "default"}});
+  xml.leaf("mu", "0.7");
+  xml.leaf("C_damping", "0.01");
+  xml.close();
   for (const auto& [name, laser] : simulated.lasers) writeLaser(xml, name, laser);
   for (const auto& [name, camera] : simulated.cameras) writeCamera(xml, name, camera);
   xml.close();
