@@ -21,8 +21,7 @@ TEST_F(MvsimApp, WorldFileIsWrittenWhenAskedForAndChangesNothing) {
 #ifdef BSLNAV_WITH_MVSIM
 
 TEST_F(MvsimApp, DrivesARoom) {
-  const AppResult result =
-      drive(write("room.ini", kRoom), {"--set", "simulation.engine=mvsim"});
+  const AppResult result = drive(write("room.ini", kRoom), {"--set", "simulation.engine=mvsim"});
   EXPECT_EQ(result.exitCode, 0) << result.err;
   EXPECT_EQ(summary()["outcome"], "goal");
 }
@@ -30,8 +29,7 @@ TEST_F(MvsimApp, DrivesARoom) {
 #else
 
 TEST_F(MvsimApp, IsRefusedAndSaysThatItsAdapterIsOff) {
-  const AppResult result =
-      drive(write("room.ini", kRoom), {"--set", "simulation.engine=mvsim"});
+  const AppResult result = drive(write("room.ini", kRoom), {"--set", "simulation.engine=mvsim"});
   EXPECT_EQ(result.exitCode, 2);
   EXPECT_THAT(result.err, AllOf(HasSubstr("[simulation] engine"), HasSubstr("MVSim support is off"),
                                 HasSubstr("CMAKE_PREFIX_PATH")));

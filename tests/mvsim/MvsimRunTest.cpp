@@ -13,6 +13,14 @@ RunSummary driveS1(int method, std::uint64_t seed) {
   return runSimulation(test::s1(method, {"simulation.engine=mvsim"}), seed, {}, engines);
 }
 
+/* As in our simulator, where the robot meets the person at 0.56 m/s. */
+TEST(MvsimRun, Method1MeetsThePersonOfS1) {
+  const RunSummary summary = driveS1(1, 1);
+  EXPECT_EQ(summary.outcome, Outcome::Contact) << summary.reason;
+  EXPECT_TRUE(summary.atFault);
+  EXPECT_NEAR(summary.impactSpeed_mps.value_or(0.0), 0.5, 0.1);
+}
+
 TEST(MvsimRun, Method2ReachesTheGoalOfS1) {
   const RunSummary summary = driveS1(2, 1);
   EXPECT_EQ(summary.outcome, Outcome::Goal) << summary.reason;
@@ -20,7 +28,9 @@ TEST(MvsimRun, Method2ReachesTheGoalOfS1) {
 }
 
 TEST(MvsimRun, IsRepeatable) {
-  EXPECT_EQ(test::resultOf(driveS1(2, 3)), test::resultOf(driveS1(2, 3)));
+  const std::string first = test::resultOf(driveS1(2, 3));
+  EXPECT_EQ(test::resultOf(driveS1(2, 3)), first);
+  EXPECT_NE(test::resultOf(driveS1(2, 4)), first);
 }
 
 }  // namespace

@@ -82,8 +82,8 @@ TEST(MvsimWorld, EveryPolygonKeepsItsCornersAndHeights) {
 
 TEST(MvsimWorld, CirclesStayWithinThirteenPerMille) {
   const Tree world = parsed(furnished());
-  const std::tuple<const char*, TPoint2D, double> circles[] = {
-      {"cylinder:c", {2.5, 1.25}, 0.05}, {"pedestrian:p", {3, 0}, 0.25}};
+  const std::tuple<const char*, TPoint2D, double> circles[] = {{"cylinder:c", {2.5, 1.25}, 0.05},
+                                                               {"pedestrian:p", {3, 0}, 0.25}};
   for (const auto& [name, centre, radius_m] : circles) {
     const Tree& block = named(world, "block", name);
     EXPECT_LT((centreOf(block) - centre).norm(), 1e-6);
@@ -97,7 +97,8 @@ TEST(MvsimWorld, CirclesStayWithinThirteenPerMille) {
   }
 }
 
-/* The laser's plane is at 0.2 m: the box (0.1 to 0.35 m) meets it, the shelf (1.2 m up) does not. */
+/* The laser's plane is at 0.2 m: the box (0.1 to 0.35 m) meets it, the shelf (1.2 m up) does not.
+ */
 TEST(MvsimWorld, SolidsThatNoLaserMeetsAreIntangible) {
   const Tree world = parsed(furnished());
   EXPECT_EQ(named(world, "block", "box:shelf").get<std::string>("intangible", ""), "true");

@@ -77,8 +77,7 @@ void stopRobot(SimulationEngine& simulator, const NavigationParameters& navigati
 }  // namespace
 
 RunSummary runSimulation(const SimulationSetup& setup, std::uint64_t seed,
-                         const SimulationObserver& observer,
-                         const SimulationEngines& engines) {
+                         const SimulationObserver& observer, const SimulationEngines& engines) {
   setup.check();
   const auto map = setup.makeMap();
   const SimulationCase simulated = setup.simulationCase(seed);

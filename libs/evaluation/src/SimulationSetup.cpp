@@ -59,8 +59,9 @@ void RecordingParameters::describe(ConfigSection& section) {
   section.flag("rawlog", rawlog,
                "whether to write run.rawlog: what the robot sensed and where it was localised, for "
                "MRPT's tools and for bslnav-rawlog");
-  section.flag("mvsim_world", mvsimWorld,
-               "whether to write world.mvsim.xml: the world and the robot for MRPT's simulator MVSim");
+  section.flag(
+      "mvsim_world", mvsimWorld,
+      "whether to write world.mvsim.xml: the world and the robot for MRPT's simulator MVSim");
   section.flag("scene", scene,
                "whether to write run.3Dscene: an instant of the run, for MRPT's SceneViewer3D");
   section.number("scene_s", scene_s, kNonNegative, "s",
@@ -137,8 +138,8 @@ std::shared_ptr<const mrpt::maps::COccupancyGridMap2D> SimulationSetup::makeMap(
 SimulationCase SimulationSetup::simulationCase(std::uint64_t seed) const {
   const RobotOutline outline{navigation.footprint.polygon, navigation.footprint.radius_m};
   const bool depth = navigation.depth.enabled;
-  return {world, simulatedRobot, lasers, depth ? cameras : decltype(cameras){}, scenario.start,
-          outline, seed};
+  return {world,          simulatedRobot, lasers, depth ? cameras : decltype(cameras){},
+          scenario.start, outline,        seed};
 }
 
 SimulationSetup varied(SimulationSetup setup, std::uint64_t seed) {

@@ -26,8 +26,7 @@ MvsimSimulator::MvsimSimulator(const SimulationCase& simulated)
     : truth_(withoutCameras(simulated).world, simulated.outline, simulated.start),
       world_(std::make_unique<World>(simulated)) {
   for (const auto& [name, laser] : simulated.lasers)
-    lasers_.push_back(
-        {LaserSensor(name, laser, simulated.seed), {laser.rate_hz, laser.latency_s}});
+    lasers_.push_back({LaserSensor(name, laser, simulated.seed), {laser.rate_hz, laser.latency_s}});
   measure();
 }
 
@@ -37,8 +36,8 @@ void MvsimSimulator::substep(const mrpt::math::TTwist2D& command, double dt_s) {
   if (!std::isfinite(command.vx) || !std::isfinite(command.omega))
     throw Error("MVSim's robot", "a command is not a finite number", Error::Kind::Run);
   world_->advance(command, dt_s);
-  truth_.advance(world_->pose(), world_->twist(),
-                 state().odometry + world_->wheelTwist() * dt_s, dt_s);
+  truth_.advance(world_->pose(), world_->twist(), state().odometry + world_->wheelTwist() * dt_s,
+                 dt_s);
   world_->placePeople(truth_.people());
   measure();
 }

@@ -28,9 +28,8 @@ void writeCamera(MvsimXml& xml, const std::string& name, const DepthCameraParame
     xml.leaf(key, std::to_string(pixels));
   };
   xml.open("sensor", {{"class", "rgbd_camera"}, {"name", name}});
-  xml.leaf("pose_3d",
-           xmlNumbers({camera.x_m, camera.y_m, camera.z_m, camera.yaw_rad * kDegPerRad,
-                       camera.pitch_rad * kDegPerRad, camera.roll_rad * kDegPerRad}));
+  xml.leaf("pose_3d", xmlNumbers({camera.x_m, camera.y_m, camera.z_m, camera.yaw_rad * kDegPerRad,
+                                  camera.pitch_rad * kDegPerRad, camera.roll_rad * kDegPerRad}));
   xml.leaf("sensor_period", xmlNumbers({1.0 / camera.rate_hz}));
   xml.leaf("sense_depth", "true");
   xml.leaf("sense_rgb", "false");
@@ -58,8 +57,7 @@ void writeDrive(MvsimXml& xml, const RobotOutline& outline) {
               {"mass", "2"},
               {"width", "0.04"},
               {"diameter", "0.1"}});
-  xml.open("chassis",
-           {{"mass", "15"}, {"zmin", "0.05"}, {"zmax", xmlNumbers({outline.height_m})}});
+  xml.open("chassis", {{"mass", "15"}, {"zmin", "0.05"}, {"zmax", xmlNumbers({outline.height_m})}});
   writeShape(xml, chassis);
   xml.close();
   xml.leaf("controller", "", {{"class", "twist_ideal"}});

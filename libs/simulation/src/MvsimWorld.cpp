@@ -34,9 +34,9 @@ void write(MvsimXml& xml, const MvsimBlock& block) {
 }
 
 bool meetsALaser(double zMin_m, double zMax_m, const SimulationCase& simulated) {
-  return std::any_of(
-      simulated.lasers.begin(), simulated.lasers.end(),
-      [&](const auto& laser) { return laser.second.z_m >= zMin_m && laser.second.z_m <= zMax_m; });
+  return std::any_of(simulated.lasers.begin(), simulated.lasers.end(), [&](const auto& laser) {
+    return laser.second.z_m >= zMin_m && laser.second.z_m <= zMax_m;
+  });
 }
 
 void writeSolids(MvsimXml& xml, const SimulationCase& simulated) {
