@@ -19,12 +19,12 @@ std::string exactWorld(SimulationCase simulated) {
 
 HeadlessWorld::HeadlessWorld(const SimulationCase& simulated)
     : scansTaken_(simulated.lasers.size()) {
-  const std::string xml = exactWorld(simulated);
+  std::string xml = exactWorld(simulated);  // MVSim writes into the text
   world_.setMinLoggingLevel(mrpt::system::LVL_ERROR);
   world_.getTimeLogger().enable(false);
   world_.headless(true);
   try {
-    world_.load_from_XML(std::string(xml.data(), xml.size()));  // MVSim writes into the text
+    world_.load_from_XML(xml);
   } catch (const std::exception& problem) {
     throw Error("MVSim", problem.what(), Error::Kind::Run);
   }
