@@ -1,4 +1,4 @@
-# bslnav_add_library(<name> USES <lower libraries> LINKS <outside targets> [PRIVATE_LINKS <outside targets>])
+# bslnav_add_library(<name> [EXPORT <set>] USES <lower libraries> LINKS <outside targets> [PRIVATE_LINKS <outside targets>])
 #
 # Adds libs/<name> as target bslnav::<name>: headers include/bslnav/<name>/*.h, sources src/*.cpp.
 # The direction of the house is enforced here: a library sees only the libraries it names under USES,
@@ -9,7 +9,10 @@ if(BSLNAV_WARNINGS_AS_ERRORS)
 endif()
 
 function(bslnav_add_library name)
-  cmake_parse_arguments(ARG "" "" "USES;LINKS;PRIVATE_LINKS" ${ARGN})
+  cmake_parse_arguments(ARG "" "EXPORT" "USES;LINKS;PRIVATE_LINKS" ${ARGN})
+  if(NOT ARG_EXPORT)
+    set(ARG_EXPORT bslnavTargets)
+  endif()
   foreach(used IN LISTS ARG_USES)
     if(NOT used IN_LIST BSLNAV_MAY_USE_${name})
       message(FATAL_ERROR "libs/${name} may not use libs/${used}: allowed are '${BSLNAV_MAY_USE_${name}}'")
@@ -32,5 +35,5 @@ function(bslnav_add_library name)
   target_link_libraries(${name} PUBLIC ${ARG_USES} ${ARG_LINKS} PRIVATE ${ARG_PRIVATE_LINKS})
   target_compile_features(${name} PUBLIC cxx_std_17)
   target_compile_options(${name} PRIVATE ${BSLNAV_WARNINGS})
-  install(TARGETS ${name} EXPORT bslnavTargets FILE_SET HEADERS)
+  install(TARGETS ${name} EXPORT ${ARG_EXPORT} FILE_SET HEADERS)
 endfunction()

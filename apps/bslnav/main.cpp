@@ -1,13 +1,28 @@
 // Drives a robot to its goal: in the simulator now; what the configuration describes is what moves.
 #include <bslnav/config/Error.h>
+#ifdef BSLNAV_WITH_MVSIM
+#include <bslnav/mvsim/MvsimSimulator.h>
+#endif
 
 #include <iostream>
+#include <memory>
 
 #include "CommandLine.h"
 #include "RecordedDrive.h"
 #include "SummaryTable.h"
 
 namespace {
+
+/** The engines that this build has. */
+bslnav::SimulationEngines availableEngines() {
+  bslnav::SimulationEngines engines;
+#ifdef BSLNAV_WITH_MVSIM
+  engines.add(bslnav::EngineKind::Mvsim, [](const bslnav::SimulationCase& simulated) {
+    return std::make_unique<bslnav::MvsimSimulator>(simulated);
+  });
+#endif
+  return engines;
+}
 
 int drive(const bslnav::CommonOptions& options) {
   using namespace bslnav;
@@ -21,7 +36,8 @@ int drive(const bslnav::CommonOptions& options) {
   }
   if (options.configs.empty())
     throw Error("CONFIG", "no configuration; expected bslnav CONFIG.ini, see --help");
-  return exitCodeOf(driveRecorded(setup, config, {options.seed, options.out, options.quiet}));
+  return exitCodeOf(driveRecorded(setup, config, {options.seed, options.out, options.quiet},
+                                  availableEngines()));
 }
 
 }  // namespace

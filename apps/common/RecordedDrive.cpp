@@ -6,6 +6,7 @@
 #include <bslnav/evaluation/ScenePicture.h>
 #include <bslnav/evaluation/SimulationPictures.h>
 #include <bslnav/evaluation/SimulationRun.h>
+#include <bslnav/simulation/MvsimWorld.h>
 
 #include <iostream>
 #include <optional>
@@ -37,24 +38,28 @@ void saveScene(const RunScene& scene, const RecordingParameters& recording,
 }  // namespace
 
 RunSummary driveRecorded(const SimulationSetup& setup, const Config& config,
-                         const DriveOptions& options) {
+                         const DriveOptions& options, const SimulationEngines& engines) {
   setup.check();
+  engines.check(setup.simulation.engine);
   const auto map = setup.makeMap();
   RunRecorder recorder(options.out, config);
   if (setup.pictures.recordCandidates) recorder.recordCandidates();
+  if (setup.recording.mvsimWorld)
+    writeFile(recorder.path("world.mvsim.xml"), mvsimWorld(setup.simulationCase(options.seed)));
   std::optional<RunRawlog> rawlog;
   if (setup.recording.rawlog) rawlog.emplace(recorder.path("run.rawlog"));
   RunScene scene(setup, map);
   SimulationPictures pictures(setup, map);
   listenForInterrupts();
-  RunSummary summary = runSimulation(setup, options.seed, [&](const SimulationMoment& moment) {
+  const auto observe = [&](const SimulationMoment& moment) {
     recorder.write(moment.record, moment.truth.pose);
     if (rawlog) rawlog->write(moment.frame);
     if (setup.recording.scene || setup.recording.scenePicture) scene.observe(moment);
     pictures.observe(moment);
     if (moment.record.index % 10 == 0) showProgress(progressLine(moment.record), options.quiet);
     return !interrupted();
-  });
+  };
+  RunSummary summary = runSimulation(setup, options.seed, observe, engines);
   showProgress("", options.quiet);
   recorder.finish(summary);
   auto paths = pictures.save(summary, recorder.directory());

@@ -136,10 +136,10 @@ TEST(RunRawlog, IsARawlogOfSingleObservationsForMrpt) {
     EXPECT_TRUE(odometry->hasVelocities);
     EXPECT_EQ(odometry->velocityLocal, records[cycle].twist);
     EXPECT_EQ(pose->pose.mean.x(), records[cycle].mapFromRobot.x);
-    EXPECT_EQ((odometry->timestamp - mrpt::Clock::fromDouble(Simulator::kEpoch_s)).count(),
+    EXPECT_EQ((odometry->timestamp - mrpt::Clock::fromDouble(SimulationEngine::kEpoch_s)).count(),
               static_cast<long>(cycle) * 1000000);  // 0.1 s in ticks of 100 ns
     EXPECT_EQ(pose->timestamp, odometry->timestamp);
-    EXPECT_NEAR(mrpt::Clock::toDouble(scan->timestamp) - Simulator::kEpoch_s,
+    EXPECT_NEAR(mrpt::Clock::toDouble(scan->timestamp) - SimulationEngine::kEpoch_s,
                 0.1 * static_cast<double>(cycle), 2e-6);
   }
 }

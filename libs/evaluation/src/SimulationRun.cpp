@@ -27,10 +27,10 @@ std::unique_ptr<Localization> makeLocalization(
 }
 
 /** What the robot's sensors deliver now. */
-void sense(Simulator& simulator, Localization* localization, SensorFrame& frame) {
+void sense(SimulationEngine& simulator, Localization* localization, SensorFrame& frame) {
   const SimulationState& truth = simulator.state();
   frame.time_s = truth.time_s;
-  frame.startTime_s = Simulator::kEpoch_s;
+  frame.startTime_s = SimulationEngine::kEpoch_s;
   frame.odometry = truth.odometry;
   frame.twist = truth.twist;
   frame.scans.clear();
@@ -65,7 +65,7 @@ bool isOver(const CycleRecord& record, const SimulationState& truth, const Simul
 }
 
 /** Commands the robot to a standstill, within its limits. */
-void stopRobot(Simulator& simulator, const NavigationParameters& navigation) {
+void stopRobot(SimulationEngine& simulator, const NavigationParameters& navigation) {
   const double period_s = navigation.cycle.period_s;
   const auto isMoving = [](const mrpt::math::TTwist2D& twist) {
     return std::hypot(speedOf(twist), twist.omega) > 1e-3;
@@ -77,19 +77,17 @@ void stopRobot(Simulator& simulator, const NavigationParameters& navigation) {
 }  // namespace
 
 RunSummary runSimulation(const SimulationSetup& setup, std::uint64_t seed,
-                         const SimulationObserver& observer) {
+                         const SimulationObserver& observer, const SimulationEngines& engines) {
   setup.check();
   const auto map = setup.makeMap();
-  const RobotOutline outline{setup.navigation.footprint.polygon,
-                             setup.navigation.footprint.radius_m};
-  const auto cameras = setup.navigation.depth.enabled ? setup.cameras : decltype(setup.cameras){};
-  Simulator simulator(setup.world, setup.simulatedRobot, setup.lasers, cameras,
-                      setup.scenario.start, outline, seed);
+  const SimulationCase simulated = setup.simulationCase(seed);
+  const auto engine = engines.make(setup.simulation.engine, simulated);
+  SimulationEngine& simulator = *engine;
   const auto localization = makeLocalization(setup, map, seed);
   NavigationCycle cycle(setup.navigation, map);
   cycle.setGoals(setup.scenario.goals);
-  for (const auto& laser : setup.lasers) cycle.expectSensor(SensorKind::Laser, laser.first);
-  for (const auto& camera : cameras) cycle.expectSensor(SensorKind::Camera, camera.first);
+  for (const auto& laser : simulated.lasers) cycle.expectSensor(SensorKind::Laser, laser.first);
+  for (const auto& camera : simulated.cameras) cycle.expectSensor(SensorKind::Camera, camera.first);
 
   RunSummary summary;
   summary.seed = seed;

@@ -61,6 +61,9 @@ void RecordingParameters::describe(ConfigSection& section) {
   section.flag("rawlog", rawlog,
                "whether to write run.rawlog: what the robot sensed and where it was localised, for "
                "MRPT's tools and for bslnav-rawlog");
+  section.flag(
+      "mvsim_world", mvsimWorld,
+      "whether to write world.mvsim.xml: the world and the robot for MRPT's simulator MVSim");
   section.flag("scene", scene,
                "whether to write run.3Dscene: an instant of the run, for MRPT's SceneViewer3D");
   section.number("scene_s", scene_s, kNonNegative, "s",
@@ -79,6 +82,7 @@ void SimulationSetup::bind(Config& config) {
               "MRPT's particle filter, when [localization] source is particle_filter.",
               particleFilter);
   config.bind("robot", "The robot.", robot);
+  config.bind("simulation", "What simulates it.", simulation);
   config.bind("simulated_robot", "The simulated base.", simulatedRobot);
   config.bindRepeated("laser", "A laser range finder on the robot.", lasers);
   config.bindRepeated("camera", "A depth camera on the robot, used when [depth] enabled is true.",
@@ -133,6 +137,13 @@ std::shared_ptr<const mrpt::maps::COccupancyGridMap2D> SimulationSetup::makeMap(
                          std::to_string(map->getXMax()) + ", y " + std::to_string(map->getYMin()) +
                          " to " + std::to_string(map->getYMax()) + " [m]");
   return map;
+}
+
+SimulationCase SimulationSetup::simulationCase(std::uint64_t seed) const {
+  const RobotOutline outline{navigation.footprint.polygon, navigation.footprint.radius_m};
+  const bool depth = navigation.depth.enabled;
+  return {world,          simulatedRobot, lasers, depth ? cameras : decltype(cameras){},
+          scenario.start, outline,        seed};
 }
 
 SimulationSetup varied(SimulationSetup setup, std::uint64_t seed) {

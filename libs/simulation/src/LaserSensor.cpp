@@ -70,6 +70,7 @@ LaserSensor::LaserSensor(const std::string& name, const LaserParameters& paramet
   blank_.stdError = static_cast<float>(parameters.noiseStd_m);
   blank_.resizeScanAndAssign(static_cast<std::size_t>(parameters.beams), blank_.maxRange, false);
   beamDirections_ = beamDirections(blank_);
+  distances_m_.resize(beamDirections_.size() * RayPacket::kSize);
 }
 
 CObservation2DRangeScan::Ptr LaserSensor::unusedScan() {
@@ -91,12 +92,18 @@ void LaserSensor::measure(float distance_m, CObservation2DRangeScan& scan, std::
   scan.setScanRangeValidity(beam, true);
 }
 
-CObservation2DRangeScan::Ptr LaserSensor::scan(const RayScene& scene,
-                                               const mrpt::math::TPose2D& mapFromRobot,
+CObservation2DRangeScan::Ptr LaserSensor::scan(const std::vector<float>& distances_m,
                                                mrpt::Clock::time_point stamp) {
   auto scan = unusedScan();
   *scan = blank_;
   scan->timestamp = stamp;
+  for (std::size_t i = 0; i < scan->getScanSize(); ++i) measure(distances_m[i], *scan, i);
+  return scan;
+}
+
+CObservation2DRangeScan::Ptr LaserSensor::scan(const RayScene& scene,
+                                               const mrpt::math::TPose2D& mapFromRobot,
+                                               mrpt::Clock::time_point stamp) {
   const auto mapFromSensor =
       mapFromRobot + mrpt::math::TPose2D(parameters_.x_m, parameters_.y_m, parameters_.yaw_rad);
   const mrpt::math::TPoint3Df origin(static_cast<float>(mapFromSensor.x),
@@ -104,15 +111,13 @@ CObservation2DRangeScan::Ptr LaserSensor::scan(const RayScene& scene,
                                      static_cast<float>(parameters_.z_m));
   const auto cosine = static_cast<float>(std::cos(mapFromSensor.phi));
   const auto sine = static_cast<float>(std::sin(mapFromSensor.phi));
-  const std::size_t beams = scan->getScanSize();
   for (std::size_t p = 0; p < beamDirections_.size(); ++p) {
     const auto distances =
         scene.rayHits(origin, rotated(beamDirections_[p], cosine, sine), blank_.maxRange);
-    const std::size_t first = p * RayPacket::kSize;
-    for (std::size_t i = first; i < std::min(first + RayPacket::kSize, beams); ++i)
-      measure(distances[i - first], *scan, i);
+    std::copy(distances.begin(), distances.end(),
+              distances_m_.begin() + static_cast<std::ptrdiff_t>(p * RayPacket::kSize));
   }
-  return scan;
+  return scan(distances_m_, stamp);
 }
 
 }  // namespace bslnav

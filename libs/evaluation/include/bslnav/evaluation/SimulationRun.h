@@ -3,7 +3,7 @@
 #include <bslnav/evaluation/RunSummary.h>
 #include <bslnav/evaluation/SimulationSetup.h>
 #include <bslnav/navigation/NavigationCycle.h>
-#include <bslnav/simulation/Simulator.h>
+#include <bslnav/simulation/SimulationEngine.h>
 
 #include <functional>
 
@@ -25,8 +25,11 @@ using SimulationObserver = std::function<bool(const SimulationMoment&)>;
  *
  * The same setup and seed give the same run. However it ends, also by an exception (the outcome is
  * then error), the robot is told to stop.
- *  @throws Error when the setup cannot be run (start in collision, goal outside the map) */
+ *  @param engines among which `setup.simulation` chooses
+ *  @throws Error when the setup cannot be run (start in collision, goal outside the map, an engine
+ * that is not there) */
 RunSummary runSimulation(const SimulationSetup& setup, std::uint64_t seed,
-                         const SimulationObserver& observer = {});
+                         const SimulationObserver& observer = {},
+                         const SimulationEngines& engines = {});
 
 }  // namespace bslnav

@@ -1,12 +1,10 @@
 #pragma once
 
 #include <bslnav/evaluation/PointCloudFile.h>
+#include <bslnav/evaluation/SimulationEngines.h>
 #include <bslnav/navigation/LocalizationParticleFilter.h>
 #include <bslnav/navigation/NavigationParameters.h>
-#include <bslnav/simulation/DepthCameraParameters.h>
-#include <bslnav/simulation/LaserSensor.h>
-#include <bslnav/simulation/SimulatedRobot.h>
-#include <bslnav/simulation/WorldParameters.h>
+#include <bslnav/simulation/SimulationEngine.h>
 
 #include <map>
 #include <memory>
@@ -56,7 +54,7 @@ struct PictureParameters {
 
 /** What a run leaves in MRPT's own formats. */
 struct RecordingParameters {
-  bool rawlog = false, scene = false, scenePicture = false;
+  bool rawlog = false, mvsimWorld = false, scene = false, scenePicture = false;
   double scene_s = 0.0;  ///< instant of the scene; 0: the end of the run
   int pictureWidth_px = 1600, pictureHeight_px = 900;
 
@@ -70,6 +68,7 @@ struct SimulationSetup {
   LocalizationParameters localization;
   ParticleFilterParameters particleFilter;
   RobotParameters robot;
+  SimulationParameters simulation;
   SimulatedRobotParameters simulatedRobot;
   std::map<std::string, LaserParameters> lasers;
   std::map<std::string, DepthCameraParameters>
@@ -84,6 +83,8 @@ struct SimulationSetup {
   void check() const;
   /** The static map that the robot navigates by; null for none. @throws Error */
   std::shared_ptr<const mrpt::maps::COccupancyGridMap2D> makeMap() const;
+  /** What an engine has to simulate; cameras only when `navigation.depth` is enabled. */
+  SimulationCase simulationCase(std::uint64_t seed) const;
 };
 
 /** The setup of one seed: trigger lines shifted along x and speeds scaled, uniformly within the

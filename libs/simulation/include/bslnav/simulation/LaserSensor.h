@@ -43,6 +43,12 @@ class LaserSensor {
                                                const mrpt::math::TPose2D& mapFromRobot,
                                                mrpt::Clock::time_point stamp);
 
+  /** The scan that this laser makes of exact distances [m]: with its range limits, noise and
+   * dropouts.
+   *  @param distances_m at least one a beam, counterclockwise; infinity where nothing is */
+  mrpt::obs::CObservation2DRangeScan::Ptr scan(const std::vector<float>& distances_m,
+                                               mrpt::Clock::time_point stamp);
+
  private:
   mrpt::obs::CObservation2DRangeScan::Ptr unusedScan();
   void measure(float distance_m, mrpt::obs::CObservation2DRangeScan& scan, std::size_t beam);
@@ -51,6 +57,7 @@ class LaserSensor {
   mrpt::obs::CObservation2DRangeScan blank_;  // what every scan starts as
   std::vector<mrpt::obs::CObservation2DRangeScan::Ptr> pool_;
   std::vector<RayPacket> beamDirections_;  // sensor frame
+  std::vector<float> distances_m_;         // of the scan at work, a whole packet at the end
   mrpt::random::CRandomGenerator rangeNoise_, dropouts_;
 };
 

@@ -53,4 +53,14 @@ class SensorSchedule {
   Measurement arrived_;
 };
 
+/** What arrived from each sensor since the last call, in the sensors' order. */
+template <typename Measurement, typename Sensors>
+std::vector<Measurement> delivered(Sensors& sensors, double time_s) {
+  std::vector<Measurement> measurements;
+  for (auto& sensor : sensors)
+    if (auto measurement = sensor.schedule.deliver(time_s))
+      measurements.push_back(std::move(measurement));
+  return measurements;
+}
+
 }  // namespace bslnav
