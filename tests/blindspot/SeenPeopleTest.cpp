@@ -30,7 +30,7 @@ CostGrid freeMap() { return CostGrid(160, 160, 0.05, -4.0, -4.0, 0); }
 TEST(SeenPeople, SomebodyWhoStandsMayAlwaysWalkOff) {
   SeenPeople people({});
   const PlanarScan scan = discAt(2.0, 0.0, 0.25);
-  for (int k = 0; k < 50; ++k) people.update({&scan}, 0.1 * k, {}, freeMap(), kWalk_mps);
+  for (int k = 0; k < 50; ++k) people.update({{&scan}, {}, {}}, 0.1 * k, {}, freeMap(), kWalk_mps);
   ASSERT_EQ(people.tracks().size(), 1u);
   ASSERT_FALSE(people.frontier().empty());
   for (const auto& p : people.frontier()) {
@@ -43,16 +43,16 @@ TEST(SeenPeople, SomebodyWhoStandsMayAlwaysWalkOff) {
 TEST(SeenPeople, APoleThatStandsIsAnObstacle) {
   SeenPeople people({});
   const PlanarScan scan = discAt(1.0, 0.2, 0.05);
-  people.update({&scan}, 0.0, {}, freeMap(), kWalk_mps);
+  people.update({{&scan}, {}, {}}, 0.0, {}, freeMap(), kWalk_mps);
   EXPECT_FALSE(people.frontier().empty());
-  for (int k = 1; k <= 11; ++k) people.update({&scan}, 0.1 * k, {}, freeMap(), kWalk_mps);
+  for (int k = 1; k <= 11; ++k) people.update({{&scan}, {}, {}}, 0.1 * k, {}, freeMap(), kWalk_mps);
   EXPECT_TRUE(people.frontier().empty());
 }
 
 TEST(SeenPeople, AWideThingIsAnObstacleAtOnce) {
   SeenPeople people({});
   const PlanarScan scan = discAt(2.5, 0.0, 0.6);
-  people.update({&scan}, 0.0, {}, freeMap(), kWalk_mps);
+  people.update({{&scan}, {}, {}}, 0.0, {}, freeMap(), kWalk_mps);
   EXPECT_TRUE(people.frontier().empty());
 }
 
@@ -62,7 +62,7 @@ TEST(SeenPeople, WhatTheMapExplainsIsNobody) {
     for (int x = 115; x < 125; ++x) map.at(x, y) = 255;
   SeenPeople people({});
   const PlanarScan scan = discAt(2.0, 0.0, 0.25);
-  people.update({&scan}, 0.0, {}, map, kWalk_mps);
+  people.update({{&scan}, {}, {}}, 0.0, {}, map, kWalk_mps);
   EXPECT_TRUE(people.frontier().empty());
   EXPECT_TRUE(people.tracks().empty());
 }
@@ -72,7 +72,7 @@ TEST(SeenPeople, AreFollowed) {
   SeenPeople people({});
   for (int k = 0; k < 20; ++k) {
     const PlanarScan scan = discAt(2.0, -1.0 + 0.1 * k, 0.25);
-    people.update({&scan}, 0.1 * k, {}, freeMap(), kWalk_mps);
+    people.update({{&scan}, {}, {}}, 0.1 * k, {}, freeMap(), kWalk_mps);
   }
   ASSERT_EQ(people.tracks().size(), 1u);
   EXPECT_TRUE(people.tracks()[0].hasMoved);

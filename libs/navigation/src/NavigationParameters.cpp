@@ -47,6 +47,8 @@ void NavigationParameters::bind(Config& config) {
   config.bind("danger_zone", "The cost around a blind spot (paper IV-B, table I).", dangerZone);
   config.bind("guard", "Only velocities from which the robot can stop for whoever steps out.",
               guard);
+  config.bind("person_visibility", "How far depth cameras see people; for the guard.",
+              personVisibility);
   config.bind("hidden_people", "Where somebody may be whom no sensor sees; for the guard.",
               hiddenPeople);
   config.bind("seen_people", "Who of what the map does not explain may walk off; for the guard.",
@@ -74,6 +76,8 @@ void NavigationParameters::check() const {
     Config::refuse("depth", "enabled", "true with [blind_spots] source = depth_clusters");
   if (depth.obstacles.zMax_m <= depth.obstacles.zMin_m)
     Config::refuse("depth", "obstacle_z_max_m", "a height above obstacle_z_min_m");
+  if (personVisibility.floor_m >= personVisibility.height_m)
+    Config::refuse("person_visibility", "floor_m", "a height below height_m");
   depthClusters.check();
 }
 

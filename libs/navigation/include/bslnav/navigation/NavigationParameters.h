@@ -3,6 +3,7 @@
 #include <bslnav/blindspot/DangerZones.h>
 #include <bslnav/blindspot/DepthClusters.h>
 #include <bslnav/blindspot/HiddenPeople.h>
+#include <bslnav/blindspot/PersonVisibility.h>
 #include <bslnav/blindspot/ScanJumpDetector.h>
 #include <bslnav/blindspot/SeenPeople.h>
 #include <bslnav/config/Config.h>
@@ -66,6 +67,7 @@ struct NavigationParameters {
   DepthClusterParameters depthClusters;
   DangerZoneParameters dangerZone;
   GuardParameters guard;
+  PersonVisibilityParameters personVisibility;
   HiddenPeopleParameters hiddenPeople;
   SeenPeopleParameters seenPeople;
   GlobalPlannerParameters globalPlanner;

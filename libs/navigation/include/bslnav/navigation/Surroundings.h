@@ -51,7 +51,8 @@ class Surroundings {
   bool takeOverScans(const SensorFrame& frame, CycleRecord& record);
   void takeOverDepth(const SensorFrame& frame, CycleRecord& record);
   void resizeScans(std::size_t count);
-  void findPeople(const SensorFrame& frame, const CycleRecord& record);
+  void findPeople(const SensorFrame& frame, const CycleRecord& record,
+                  const std::vector<PlanarScan>& depthScans);
   void findBlindSpots(CycleRecord& record);
   const std::vector<BlindSpot>* newBlindSpots(double time_s);
 
