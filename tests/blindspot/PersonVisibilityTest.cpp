@@ -37,9 +37,7 @@ std::size_t ahead(const PlanarScan& scan) {
     if (scan.cosine[i] > scan.cosine[best]) best = i;
   return best;
 }
-double rangeAhead(const PlanarScan& scan) {
-  return static_cast<double>(scan.range_m[ahead(scan)]);
-}
+double rangeAhead(const PlanarScan& scan) { return static_cast<double>(scan.range_m[ahead(scan)]); }
 
 const SceneBox kWall{4.0, 4.2, -9.0, 9.0, 0.0, 3.0};
 
@@ -151,10 +149,9 @@ bool isSeen(const mrpt::obs::CObservation3DRangeScan& image, double angle, doubl
   };
   for (int v = 1; v < int(camera.nrows); ++v)
     for (int u = 0; u < int(camera.ncols); ++u) {
-      const auto ray =
-          image.sensorPose.composePoint(mrpt::math::TPoint3D(
-              1.0, (camera.cx() - u) / camera.fx(), (camera.cy() - v) / camera.fy())) -
-          image.sensorPose.translation();
+      const auto ray = image.sensorPose.composePoint(mrpt::math::TPoint3D(
+                           1.0, (camera.cx() - u) / camera.fx(), (camera.cy() - v) / camera.fy())) -
+                       image.sensorPose.translation();
       if (std::abs(std::atan2(ray.y, ray.x) - angle) > halfWidth) continue;
       if (passes(v, u) && passes(v - 1, u)) return true;
     }

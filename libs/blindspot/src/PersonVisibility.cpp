@@ -63,10 +63,10 @@ const PlanarScan& PersonVisibility::make(const DepthFrame& frame) {
   std::fill(above_m_.begin(), above_m_.end(), 0.0f);
   views_.assign(beams_.size(), {0.0f, 0.0f});
   for (int v = 0; v < frame.rows(); ++v) {
-    measureRow(frame.depthRow(v), beams_.distanceRow(v),
-               leaves_m_.data() +
-                   static_cast<std::size_t>(v) * static_cast<std::size_t>(frame.columns()),
-               aboveFloor, frame.columns(), seen_m_.data(), blocked_m_.data());
+    measureRow(
+        frame.depthRow(v), beams_.distanceRow(v),
+        leaves_m_.data() + static_cast<std::size_t>(v) * static_cast<std::size_t>(frame.columns()),
+        aboveFloor, frame.columns(), seen_m_.data(), blocked_m_.data());
     takeRow(v);
     above_m_.swap(seen_m_);
   }

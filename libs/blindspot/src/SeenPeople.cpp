@@ -107,9 +107,8 @@ void SeenPeople::addThing(std::size_t first, std::size_t others) {
     width = std::max(width, (points_[i] - points_[first]).norm());
   }
   const auto count = points_.size() - first;
-  Thing thing{first, count,        sum * (1.0 / static_cast<double>(count)),
-              width, std::nullopt, std::nullopt,
-              true};
+  Thing thing{first,        count, sum * (1.0 / static_cast<double>(count)), width, std::nullopt,
+              std::nullopt, true};
   thing.another = findAnother(thing, others);
   things_.push_back(thing);
 }
@@ -205,8 +204,7 @@ void SeenPeople::follow(Track& track, const Thing& thing, double stamp_s) const 
       track.width_m >= parameters_.narrowest_m && track.width_m <= parameters_.widest_m;
   const bool stands = stamp_s - track.stillSince_s >= parameters_.standing_s;
   const bool isWide = track.width_m > parameters_.widest_m;
-  track.mayWalk =
-      !track.isLow && (asWideAsPeople || (!isWide && (track.hasMoved || !stands)));
+  track.mayWalk = !track.isLow && (asWideAsPeople || (!isWide && (track.hasMoved || !stands)));
 }
 
 }  // namespace bslnav

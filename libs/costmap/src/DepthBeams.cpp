@@ -36,8 +36,7 @@ bool DepthBeams::layOut(const DepthFrame& frame) {
       last = std::max(last, beam);
       const float up = column.z[u] + row.z[v];  // the floor is met at depth height/−up
       auto& nearest = start[static_cast<std::size_t>(beam)];
-      if (up < 0.0f)
-        nearest = std::min(nearest, frame.origin().z / -up * distancePerDepth_[pixel]);
+      if (up < 0.0f) nearest = std::min(nearest, frame.origin().z / -up * distancePerDepth_[pixel]);
       auto& highest = steepest[static_cast<std::size_t>(beam)];
       highest = std::max(highest, up / distancePerDepth_[pixel]);
     }

@@ -67,10 +67,10 @@ const PlanarScan& DepthScan::make(const DepthFrame& frame) {
 
 void DepthScan::readRow(const DepthFrame& frame, int v) {
   const auto j = static_cast<std::size_t>(v);
-  measureRow(frame.depthRow(v), beams_.distanceRow(v),
-             frame.columnRays().z.data(), frame.rowRays().z[j], frame.origin().z,
-             static_cast<float>(parameters_.zMin_m), static_cast<float>(parameters_.zMax_m),
-             frame.columns(), obstacle_m_.data(), floor_m_.data(), height_m_.data());
+  measureRow(frame.depthRow(v), beams_.distanceRow(v), frame.columnRays().z.data(),
+             frame.rowRays().z[j], frame.origin().z, static_cast<float>(parameters_.zMin_m),
+             static_cast<float>(parameters_.zMax_m), frame.columns(), obstacle_m_.data(),
+             floor_m_.data(), height_m_.data());
 }
 
 void DepthScan::takeRow(int columns, int v) {

@@ -11,8 +11,8 @@ void DepthCameras::beginCycle() {
 DepthCameras::Camera& DepthCameras::cameraOf(const std::string& label) {
   for (Camera& camera : cameras_)
     if (camera.label == label) return camera;
-  cameras_.push_back({label, nullptr, 0.0, false, {}, DepthScan(obstacles_),
-                      PersonVisibility(people_)});
+  cameras_.push_back(
+      {label, nullptr, 0.0, false, {}, DepthScan(obstacles_), PersonVisibility(people_)});
   return cameras_.back();
 }
 
