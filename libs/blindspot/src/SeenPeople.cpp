@@ -44,7 +44,7 @@ void SeenPeopleParameters::describe(ConfigSection& section) {
   section.number("standing_s", standing_s, kNonNegative, "s",
                  "so long has what is narrower than a person to stand still");
   section.number("still_within_m", stillWithin_m, kPositive, "m",
-                 "the middle of what stands still stays within this distance");
+                 "the middle of what stands still stays within this distance and half its width");
 }
 
 void SeenPeople::update(const Views& views, double stamp_s, const mrpt::math::TPose2D& mapFromRobot,
@@ -192,7 +192,8 @@ void SeenPeople::follow(Track& track, const Thing& thing, double stamp_s) const 
   track.position = thing.middle;
   track.lastSeen_s = stamp_s;
   track.width_m = std::max(track.width_m, thing.width_m);
-  if ((thing.middle - track.stoodAt).norm() > parameters_.stillWithin_m) {
+  // What is seen of a thing from here and from there has its middle up to half a width away.
+  if ((thing.middle - track.stoodAt).norm() > parameters_.stillWithin_m + 0.5 * track.width_m) {
     // The middle of what comes into view moves, too: only what stood whole can be seen to walk.
     track.hasMoved = track.hasMoved || stamp_s - track.firstSeen_s > parameters_.standing_s;
     track.stoodAt = thing.middle;

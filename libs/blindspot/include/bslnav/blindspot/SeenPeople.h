@@ -16,8 +16,10 @@ struct SeenPeopleParameters {
   double mapTolerance_m = 0.2;  ///< a hit this near to an occupied cell of the map is the map's
   double narrowest_m = 0.35, widest_m = 0.9;  ///< of what may be a person
   double lowest_m = 0.8;                      ///< what a depth camera sees to be lower is none
-  double standing_s = 1.0;      ///< what is narrower and stands so long is an obstacle
-  double stillWithin_m = 0.12;  ///< the middle of what stands still stays within this distance
+  double standing_s = 1.0;  ///< what is narrower and stands so long is an obstacle
+  /** The middle of what is seen of a thing that stands stays within this distance and half its
+   * width. */
+  double stillWithin_m = 0.12;
 
   void describe(ConfigSection& section);
 };
