@@ -65,6 +65,7 @@ std::function<int()> addNavigatorsCommand(CLI::App& app) {
       "same seeds of each CONFIG; without one of S1 and S2");
   const auto options = std::make_shared<ExperimentOptions>();
   options->addTo(*command, {1, 4}, 100);
+  command->remove_option(command->get_option("--navigator"));  // it compares them all
   return [options] { return compare(*options); };
 }
 

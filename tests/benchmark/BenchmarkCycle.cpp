@@ -40,7 +40,7 @@ std::vector<SensorFrame> framesOf(const SimulationSetup& setup) {
   return frames;
 }
 
-/** A whole control cycle: a scan of 683 beams, with Methods 3 and 4 a depth image of 640x480, cost
+/** A whole control cycle: a scan of 683 beams, with Methods 3 to 5 a depth image of 640x480, cost
  * map of 10 m, 800 candidates; every tenth one plans a new path. */
 void cycle(benchmark::State& state, int method) {
   const SimulationSetup setup = s1(method);
@@ -63,10 +63,12 @@ void BM_Cycle_Method1(benchmark::State& state) { cycle(state, 1); }
 void BM_Cycle_Method2(benchmark::State& state) { cycle(state, 2); }
 void BM_Cycle_Method3(benchmark::State& state) { cycle(state, 3); }
 void BM_Cycle_Method4(benchmark::State& state) { cycle(state, 4); }
+void BM_Cycle_Method5(benchmark::State& state) { cycle(state, 5); }
 BENCHMARK(BM_Cycle_Method1)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_Cycle_Method2)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_Cycle_Method3)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_Cycle_Method4)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_Cycle_Method5)->Unit(benchmark::kMillisecond);
 
 /** Case S1 from start to end, simulator (Methods 3 and 4: with depth of 320x240) and planner;
  * simulated seconds a second. */

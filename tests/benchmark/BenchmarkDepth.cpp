@@ -1,5 +1,7 @@
 #include <benchmark/benchmark.h>
 #include <bslnav/blindspot/DepthClusterDetector.h>
+#include <bslnav/blindspot/HiddenPeople.h>
+#include <bslnav/blindspot/PersonVisibility.h>
 #include <bslnav/costmap/DepthScan.h>
 #include <bslnav/evaluation/SimulationSetup.h>
 #include <bslnav/simulation/DepthCamera.h>
@@ -37,6 +39,24 @@ void BM_DepthScan_Make(benchmark::State& state) {
   DepthScan scan;
   for (auto _ : state) benchmark::DoNotOptimize(scan.make(taken).hits());
 }
+void BM_PersonVisibility_Make(benchmark::State& state) {
+  const DepthFrame taken = frame();
+  PersonVisibility visibility;
+  for (auto _ : state) benchmark::DoNotOptimize(visibility.make(taken).hits());
+}
+/** From an image to the places from which people step out, seen by the camera alone. */
+void BM_PersonVisibility_Frontier(benchmark::State& state) {
+  const DepthFrame taken = frame();
+  PersonVisibility visibility;
+  HiddenPeople hidden({}, 0.25, nullptr, {});
+  std::vector<const PlanarScan*> views;
+  double time_s = 0.0;
+  for (auto _ : state) {
+    views.assign(1, &visibility.make(taken));
+    hidden.update(views, time_s += 0.1, {3.0, 0.0, 0.0}, 1.1);
+  }
+  state.counters["points"] = static_cast<double>(hidden.frontier().size());
+}
 void BM_VoxelClusters_Cluster(benchmark::State& state) {
   const DepthFrame taken = frame();
   VoxelClusters clusters{DepthClusterParameters{}};
@@ -46,6 +66,8 @@ void BM_VoxelClusters_Cluster(benchmark::State& state) {
 }
 BENCHMARK(BM_DepthFrame_Assign)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_DepthScan_Make)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_PersonVisibility_Make)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_PersonVisibility_Frontier)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_VoxelClusters_Cluster)->Unit(benchmark::kMillisecond);
 
 /** The same with PCL, stage by stage. */

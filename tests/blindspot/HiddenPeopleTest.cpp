@@ -62,6 +62,16 @@ TEST(HiddenPeople, StepOutBehindACorner) {
   for (const auto& p : hidden.frontier()) EXPECT_LT(p.y_m, -0.95);
 }
 
+/** A second sensor that looks over the wall takes its shadow away. */
+TEST(HiddenPeople, VisibleToOneSensorIsVisible) {
+  const PlanarScan low = around(corner), high = around([](double) { return 3.0; });
+  HiddenPeople alone = people(), both = people();
+  alone.update({&low}, 0.0, {}, kWalk_mps);
+  both.update({&low, &high}, 0.0, {}, kWalk_mps);
+  EXPECT_FALSE(alone.frontier().empty());
+  EXPECT_TRUE(both.frontier().empty());
+}
+
 /** A pole of 5 cm radius at 1 m: its shadow is wide enough for a disc of 25 cm only 5 m away. But
  * somebody may come through the wall behind it, of which 30 cm are not seen. */
 TEST(HiddenPeople, NobodyFitsBehindAThinPole) {

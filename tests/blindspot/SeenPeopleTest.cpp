@@ -30,7 +30,7 @@ CostGrid freeMap() { return CostGrid(160, 160, 0.05, -4.0, -4.0, 0); }
 TEST(SeenPeople, SomebodyWhoStandsMayAlwaysWalkOff) {
   SeenPeople people({});
   const PlanarScan scan = discAt(2.0, 0.0, 0.25);
-  for (int k = 0; k < 50; ++k) people.update({&scan}, 0.1 * k, {}, freeMap(), kWalk_mps);
+  for (int k = 0; k < 50; ++k) people.update({{&scan}, {}, {}}, 0.1 * k, {}, freeMap(), kWalk_mps);
   ASSERT_EQ(people.tracks().size(), 1u);
   ASSERT_FALSE(people.frontier().empty());
   for (const auto& p : people.frontier()) {
@@ -74,16 +74,16 @@ TEST(SeenPeople, WhoStandsAHandAwayFromSomethingWideIsStillAPerson) {
 TEST(SeenPeople, APoleThatStandsIsAnObstacle) {
   SeenPeople people({});
   const PlanarScan scan = discAt(1.0, 0.2, 0.05);
-  people.update({&scan}, 0.0, {}, freeMap(), kWalk_mps);
+  people.update({{&scan}, {}, {}}, 0.0, {}, freeMap(), kWalk_mps);
   EXPECT_FALSE(people.frontier().empty());
-  for (int k = 1; k <= 11; ++k) people.update({&scan}, 0.1 * k, {}, freeMap(), kWalk_mps);
+  for (int k = 1; k <= 11; ++k) people.update({{&scan}, {}, {}}, 0.1 * k, {}, freeMap(), kWalk_mps);
   EXPECT_TRUE(people.frontier().empty());
 }
 
 TEST(SeenPeople, AWideThingIsAnObstacleAtOnce) {
   SeenPeople people({});
   const PlanarScan scan = discAt(2.5, 0.0, 0.6);
-  people.update({&scan}, 0.0, {}, freeMap(), kWalk_mps);
+  people.update({{&scan}, {}, {}}, 0.0, {}, freeMap(), kWalk_mps);
   EXPECT_TRUE(people.frontier().empty());
 }
 
@@ -93,7 +93,7 @@ TEST(SeenPeople, WhatTheMapExplainsIsNobody) {
     for (int x = 115; x < 125; ++x) map.at(x, y) = 255;
   SeenPeople people({});
   const PlanarScan scan = discAt(2.0, 0.0, 0.25);
-  people.update({&scan}, 0.0, {}, map, kWalk_mps);
+  people.update({{&scan}, {}, {}}, 0.0, {}, map, kWalk_mps);
   EXPECT_TRUE(people.frontier().empty());
   EXPECT_TRUE(people.tracks().empty());
 }
@@ -103,12 +103,76 @@ TEST(SeenPeople, AreFollowed) {
   SeenPeople people({});
   for (int k = 0; k < 20; ++k) {
     const PlanarScan scan = discAt(2.0, -1.0 + 0.1 * k, 0.25);
-    people.update({&scan}, 0.1 * k, {}, freeMap(), kWalk_mps);
+    people.update({{&scan}, {}, {}}, 0.1 * k, {}, freeMap(), kWalk_mps);
   }
   ASSERT_EQ(people.tracks().size(), 1u);
   EXPECT_TRUE(people.tracks()[0].hasMoved);
   EXPECT_NEAR(people.tracks()[0].velocity.y, 1.0, 0.1);
   EXPECT_NEAR(people.tracks()[0].velocity.x, 0.0, 0.15);
+}
+
+/** What a depth camera at 0.6 m, whose rays rise by `steepest` per metre, tells of the same disc.
+ */
+PlanarScan topsOf(PlanarScan scan, float top_m, float steepest = 0.3f) {
+  scan.sensorHeight_m = 0.6;
+  scan.steepest.assign(scan.beam.size(), steepest);
+  scan.top_m.assign(scan.beam.size(), top_m);
+  return scan;
+}
+
+TEST(SeenPeople, WhatACameraSeesToBeLowIsNobody) {
+  const PlanarScan scan = discAt(2.0, 0.0, 0.25);
+  const auto isSomebody = [&scan](const PlanarScan& tops) {
+    SeenPeople people({});
+    people.update({{&scan}, {}, {&tops}}, 0.0, {}, freeMap(), kWalk_mps);
+    return !people.frontier().empty();
+  };
+  EXPECT_FALSE(isSomebody(topsOf(scan, 0.5f)));
+  EXPECT_TRUE(isSomebody(topsOf(scan, 0.9f)));
+  EXPECT_TRUE(isSomebody(topsOf(scan, 0.6f, 0.0f)));               // no ray is as high as 0.8 m
+  EXPECT_TRUE(isSomebody(topsOf(discAt(2.0, 0.4, 0.25), 0.5f)));   // a part alone
+  EXPECT_TRUE(isSomebody(topsOf(discAt(2.0, -1.0, 0.25), 0.5f)));  // something else
+}
+
+/** It stays an obstacle beside the robot, where the camera does not look, until it moves. */
+TEST(SeenPeople, WhatIsLowStaysSoAsLongAsItStands) {
+  SeenPeople people({});
+  const PlanarScan scan = discAt(2.0, 0.0, 0.25), moved = discAt(2.0, 0.4, 0.25);
+  const PlanarScan tops = topsOf(scan, 0.5f);
+  people.update({{&scan}, {}, {&tops}}, 0.0, {}, freeMap(), kWalk_mps);
+  people.update({{&scan}, {}, {}}, 0.1, {}, freeMap(), kWalk_mps);
+  EXPECT_TRUE(people.frontier().empty());
+  people.update({{&moved}, {}, {}}, 0.2, {}, freeMap(), kWalk_mps);
+  EXPECT_FALSE(people.frontier().empty());
+}
+
+/** The laser meets a box, the camera sees over it and meets somebody 0.2 m behind. */
+TEST(SeenPeople, SomebodyBehindALowThingIsSeenByTheCamera) {
+  SeenPeople people({});
+  const PlanarScan box = discAt(2.0, 0.0, 0.25), tops = topsOf(box, 0.4f);
+  const PlanarScan person = discAt(2.4, 0.0, 0.25);
+  people.update({{&box}, {&person}, {&tops}}, 0.0, {}, freeMap(), kWalk_mps);
+  ASSERT_FALSE(people.frontier().empty());
+  for (const auto& p : people.frontier()) EXPECT_NEAR(std::hypot(p.x_m - 2.4, p.y_m), 0.25, 0.01);
+}
+
+/** A parcel of 0.2 m, passed: the middle of the side that is seen first is 0.14 m from that of the
+ * next one. */
+TEST(SeenPeople, ASmallThingDoesNotWalkWhenItsOtherSideComesIntoView) {
+  SeenPeople people({});
+  const PlanarScan front = discAt(1.0, 0.0, 0.1), side = discAt(1.1, -0.1, 0.1);
+  for (int k = 0; k < 15; ++k) people.update({{&front}, {}, {}}, 0.1 * k, {}, freeMap(), kWalk_mps);
+  EXPECT_TRUE(people.frontier().empty());
+  for (int k = 15; k < 18; ++k) people.update({{&side}, {}, {}}, 0.1 * k, {}, freeMap(), kWalk_mps);
+  EXPECT_TRUE(people.frontier().empty());
+}
+
+TEST(SeenPeople, WhoIsSeenTwiceIsOne) {
+  SeenPeople people({});
+  const PlanarScan scan = discAt(2.0, 0.0, 0.25), again = discAt(2.02, 0.01, 0.25);
+  for (int k = 0; k < 5; ++k)
+    people.update({{&scan}, {&again}, {}}, 0.1 * k, {}, freeMap(), kWalk_mps);
+  EXPECT_EQ(people.tracks().size(), 1u);
 }
 
 }  // namespace

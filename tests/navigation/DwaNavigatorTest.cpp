@@ -4,6 +4,7 @@
 #include <atomic>
 #include <thread>
 
+#include "NavigationCycleRig.h"
 #include "PtgRig.h"
 
 namespace bslnav {
@@ -114,7 +115,35 @@ TEST_F(DwaNavigatorTest, ArrivesStanding) {
   test::navigateTo(navigator, 2.0, 0.0);
   test::drive(navigator, robot_, 60.0);
   ASSERT_EQ(robot_.events, "start end ");
+  ASSERT_FALSE(robot_.speedsAtStop.empty());
   for (const double speed : robot_.speedsAtStop) EXPECT_LT(std::abs(speed), 0.05);
+}
+
+/** A robot with a laser of its own, which sees a wall at x = 2 that senseObstacles() does not know.
+ */
+class ScanningRobot : public test::PtgRobot, public SensorSource {
+ public:
+  void sense(SensorFrame& frame) override {
+    const auto pose = vehicle.getCurrentGTPose();
+    const auto range_m = [&pose](int bearing_deg) {
+      const double ahead = std::cos(pose.phi + bearing_deg * M_PI / 180.0);
+      const double range = (2.0 - pose.x) / ahead;
+      return ahead > 0.1 && range < 5.0 ? range : 0.0;
+    };
+    frame.scans = {test::makeScan(vehicle.getTime(), range_m)};
+  }
+};
+
+TEST_F(DwaNavigatorTest, HeedsTheScansOfARobotThatIsASensorSource) {
+  ScanningRobot scanning;
+  DwaNavigator its(scanning);
+  its.setMinLoggingLevel(mrpt::system::LVL_ERROR);
+  its.loadConfigFile(ini);
+  test::navigateTo(its, 5.0, 0.0);
+  test::drive(its, scanning, 6.0);
+  EXPECT_EQ(its.lastRecord().beams, 181);
+  EXPECT_GT(scanning.vehicle.getCurrentGTPose().x, 0.5);
+  EXPECT_LT(scanning.vehicle.getCurrentGTPose().x, 1.8);
 }
 
 TEST_F(DwaNavigatorTest, WithoutConfigurationItFailsAndDoesNotCrash) {

@@ -172,6 +172,47 @@ TEST_F(NavigationCycleDepth, AllocatesNothingInTheSteadyState) {
   EXPECT_EQ(test::heapUse().allocations, before);
 }
 
+/** With the guard, too: its grids, its tracks, and how far the camera sees people. */
+TEST_F(NavigationCycleDepth, TheGuardAllocatesNothingInTheSteadyState) {
+  NavigationParameters parameters = method3();
+  parameters.blindSpots.source = BlindSpotSource::None;
+  parameters.guard.enabled = true;
+  NavigationCycle cycle(parameters, nullptr);
+  cycle.setGoals({{3.0, 0.0, 0.0}});
+  std::vector<SensorFrame> frames;
+  for (int i = 0; i < 16; ++i) {
+    frames.push_back(frameAt(0.1 * i));
+    frames.back().depth = {taken(corner_, 0.1 * i)};
+  }
+  long before = 0;
+  for (std::size_t i = 0; i < 16; ++i) {
+    if (i == 11) before = test::heapUse().allocations;  // a new path is due at 1.0 s
+    EXPECT_TRUE(cycle.step(frames[i]).guard.active);
+  }
+  EXPECT_EQ(test::heapUse().allocations, before);
+}
+
+/** A camera sees over a low box: what is behind it is no place to step out from. */
+TEST_F(NavigationCycleDepth, ALowBoxHidesNobodyFromTheGuard) {
+  NavigationParameters parameters = method3();
+  parameters.guard.enabled = true;
+  const auto hidden = [&parameters](double boxHeight_m) {
+    const DepthScene room{
+        {{1.5, 2.0, -0.5, 0.5, 0.0, boxHeight_m}, {3.0, 3.2, -9.0, 9.0, 0.0, 3.0}}, 0.0};
+    NavigationCycle cycle(parameters, nullptr);
+    cycle.setGoals({{1.0, 0.0, 0.0}});
+    SensorFrame frame = frameAt(0.0);
+    frame.depth = {taken(room.picture(cameraAt(0.6, 0.1), 160, 120), 0.0)};
+    cycle.step(frame);
+    int near = 0;  // not at the wall
+    for (const auto& p : cycle.surroundings().people()->frontier())
+      near += p.x_m < 2.6f && std::abs(p.y_m) < 0.5f;
+    return near;
+  };
+  EXPECT_EQ(hidden(0.35), 0);
+  EXPECT_GT(hidden(1.8), 0);
+}
+
 TEST(MotionHistory, InterpolatesAndKnowsItsEnds) {
   MotionHistory motion;
   EXPECT_EQ(motion.nowFromThen(1.0), mrpt::math::TPose2D());

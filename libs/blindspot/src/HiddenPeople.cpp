@@ -5,17 +5,21 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <opencv2/imgproc.hpp>
 
 namespace bslnav {
 namespace {
 
 constexpr Cost kYes = 255, kNo = 0;
 
-cv::Mat imageOf(CostGrid& grid) { return {grid.height(), grid.width(), CV_8U, grid.row(0)}; }
-
 void fill(CostGrid& grid, Cost value) {
   std::fill(grid.row(0), grid.row(0) + std::ptrdiff_t{grid.width()} * grid.height(), value);
+}
+
+/** An odd number of cells that reach as far to each side. */
+CostGrid gridAround(double reach_m, double resolution_m) {
+  const int half = static_cast<int>(std::ceil(reach_m / resolution_m));
+  return CostGrid(2 * half + 1, 2 * half + 1, resolution_m, -half * resolution_m,
+                  -half * resolution_m, kYes);
 }
 
 std::optional<StaticLayer> staticLayer(const mrpt::maps::COccupancyGridMap2D* map,
@@ -75,20 +79,20 @@ HiddenPeople::HiddenPeople(const HiddenPeopleParameters& parameters, double body
     : parameters_(parameters),
       bodyRadius_m_(bodyRadius_m),
       static_(staticLayer(map.get(), parameters.resolution_m, mapThresholds)),
+      possible_(gridAround(parameters.reach_m, parameters.resolution_m)),
+      seen_(possible_),
+      surface_(possible_),
+      solid_(possible_),
+      possibleBits_(possible_.width(), possible_.height()),
+      blockedBits_(possibleBits_),
+      workBits_(possibleBits_),
+      // Rounded down: a person fits rather into too little than not into what is enough.
+      personRadius_cells_(std::max(
+          0, static_cast<int>(std::floor(parameters.radius_m / parameters.resolution_m - 0.5)))),
+      directions_(possible_.getSizeX()),
+      squared_(possible_.getSizeX()),
       lookedAt_s_(ScanView::kDirections, std::numeric_limits<double>::lowest()) {
-  const double r = parameters.resolution_m;
-  const int half = static_cast<int>(std::ceil(parameters.reach_m / r));
-  possible_ = CostGrid(2 * half + 1, 2 * half + 1, r, -half * r, -half * r, kYes);
-  seen_ = surface_ = solid_ = work_ = possible_;
   fill(solid_, kNo);
-  directions_.resize(possible_.getSizeX());
-  squared_.resize(possible_.getSizeX());
-  // Rounded down: a person fits rather into too little than not into what is enough.
-  const int person = std::max(0, static_cast<int>(std::floor(parameters.radius_m / r - 0.5)));
-  personCells_ = 2 * person + 1;
-  for (int y = -person; y <= person; ++y)
-    for (int x = -person; x <= person; ++x)
-      personDisc_.push_back(x * x + y * y <= person * person ? 1 : 0);
 }
 
 void HiddenPeople::update(const std::vector<const PlanarScan*>& scans, double stamp_s,
@@ -119,14 +123,15 @@ void HiddenPeople::recentre(const mrpt::math::TPose2D& mapFromRobot) {
   const int dx = possible_.cellX(mapFromRobot.x) - half;
   const int dy = possible_.cellY(mapFromRobot.y) - half;
   if (dx == 0 && dy == 0 && started_) return;
-  for (CostGrid* grid : {&possible_, &seen_, &surface_, &solid_, &work_}) grid->shift(dx, dy, kYes);
+  for (CostGrid* grid : {&possible_, &seen_, &surface_, &solid_}) grid->shift(dx, dy, kYes);
   if (!static_) {
     fill(solid_, kNo);
     return;
   }
   static_->copyTo(solid_, solid_.bounds());
-  cv::Mat solid = imageOf(solid_);
-  cv::compare(solid, kLethalCost, solid, cv::CMP_EQ);
+  for (int y = 0; y < solid_.height(); ++y)
+    for (int x = 0; x < solid_.width(); ++x)
+      solid_.at(x, y) = solid_.at(x, y) == kLethalCost ? kYes : kNo;
 }
 
 void HiddenPeople::look(const ScanView& view, const mrpt::math::TPose2D& mapFromRobot) {
@@ -174,22 +179,24 @@ void HiddenPeople::markSurfaces(const ScanView& view, const mrpt::math::TPose2D&
  * taken before they are reached, never after; steps along four and eight neighbours take turns,
  * whose octagon holds the circle. */
 void HiddenPeople::grow(double distance_m) {
-  cv::Mat possible = imageOf(possible_), solid = imageOf(solid_), surface = imageOf(surface_);
-  static const cv::Mat kSquare = cv::Mat::ones(3, 3, CV_8U);
-  static const cv::Mat kCross = cv::getStructuringElement(cv::MORPH_CROSS, {3, 3});
-  cv::Mat work = imageOf(work_);
-  cv::bitwise_or(solid, surface, work);
-  cv::bitwise_not(work, work);
+  blockedBits_.assign(solid_);
+  workBits_.assign(surface_);
+  blockedBits_.add(workBits_);
+  possibleBits_.assign(possible_);
+  possibleBits_.addBorder();
   owed_m_ += distance_m;
-  cv::rectangle(possible, {0, 0}, {possible.cols - 1, possible.rows - 1}, cv::Scalar(kYes));
   // Farther than the window is wide, everything is reached.
   const double most_m = possible_.width() * parameters_.resolution_m;
   for (owed_m_ = std::min(owed_m_, most_m); owed_m_ > 0.0; owed_m_ -= parameters_.resolution_m) {
-    cv::dilate(possible, possible, square_ ? kSquare : kCross);
-    cv::bitwise_and(possible, work, possible);
+    if (square_)
+      possibleBits_.growSquare();
+    else
+      possibleBits_.growCross();
+    possibleBits_.remove(blockedBits_);
     square_ = !square_;
   }
-  cv::bitwise_and(possible, work, possible);
+  possibleBits_.remove(blockedBits_);
+  possibleBits_.copyTo(possible_, kYes, kNo);
 }
 
 void HiddenPeople::forgetOutsideView(const mrpt::math::TPose2D& mapFromRobot) {
@@ -211,13 +218,15 @@ void HiddenPeople::forgetOutsideView(const mrpt::math::TPose2D& mapFromRobot) {
 }
 
 void HiddenPeople::keepWhereSomebodyFits() {
-  cv::Mat seen = imageOf(seen_), solid = imageOf(solid_), possible = imageOf(possible_);
-  cv::Mat room = imageOf(work_);
-  cv::bitwise_or(seen, solid, room);
-  cv::bitwise_not(room, room);
-  const cv::Mat person(personCells_, personCells_, CV_8U, personDisc_.data());
-  cv::morphologyEx(room, room, cv::MORPH_OPEN, person);
-  cv::bitwise_and(possible, room, possible);
+  BitGrid& room = workBits_;
+  room.assign(seen_);
+  possibleBits_.assign(solid_);
+  room.add(possibleBits_);
+  room.invert();
+  room.openDisc(personRadius_cells_);
+  possibleBits_.assign(possible_);
+  possibleBits_.keep(room);
+  possibleBits_.copyTo(possible_, kYes, kNo);
 }
 
 /** The square around the robot's body, as far as the grid reaches. */
@@ -237,36 +246,30 @@ void HiddenPeople::clearRobot(const mrpt::math::TPose2D& mapFromRobot) {
     }
 }
 
-/** The cells that are free of people and connected with the robot, through whatever is neither a
- * wall nor possible: seen, or hidden where nobody fits. Behind walls there are such cells, too, but
- * nobody walks from there to the robot. */
+/** Leaves in workBits_ the cells that are free of people and connected with the robot, through
+ * whatever is neither a wall nor possible: seen, or hidden where nobody fits. Behind walls there
+ * are such cells, too, but nobody walks from there to the robot. */
 void HiddenPeople::floodFromRobot(const mrpt::math::TPose2D& mapFromRobot) {
-  constexpr Cost kReached = 128;
-  for (int y = 0; y < work_.height(); ++y)
-    for (int x = 0; x < work_.width(); ++x)
-      work_.at(x, y) =
-          (possible_.at(x, y) | solid_.at(x, y) | surface_.at(x, y)) == kNo ? kYes : kNo;
-  cv::Mat reached = imageOf(work_);
+  blockedBits_.add(possibleBits_);
+  blockedBits_.invert();
+  workBits_.clear();
   const CellWindow window = cellsOfRobot(mapFromRobot);
   for (int y = window.y0; y < window.y1; ++y)
-    for (int x = window.x0; x < window.x1; ++x)
-      if (work_.at(x, y) == kYes) cv::floodFill(reached, {x, y}, cv::Scalar(kReached));
-  cv::compare(reached, kReached, reached, cv::CMP_EQ);
+    for (int x = window.x0; x < window.x1; ++x) workBits_.set(x, y);
+  workBits_.flood(blockedBits_);
 }
 
 void HiddenPeople::findFrontier(const mrpt::math::TPose2D& mapFromRobot) {
+  possibleBits_.assign(possible_);
   floodFromRobot(mapFromRobot);
+  workBits_.growCross();
+  workBits_.keep(possibleBits_);
   frontier_.clear();
-  const auto open = [this](int x, int y) { return work_.at(x, y) == kYes; };
-  for (int y = 1; y + 1 < possible_.height(); ++y) {
-    const Cost* row = possible_.row(y);
-    for (int x = 1; x + 1 < possible_.width(); ++x) {
-      if (row[x] == kNo) continue;
-      if (open(x - 1, y) || open(x + 1, y) || open(x, y - 1) || open(x, y + 1))
-        frontier_.push_back({static_cast<float>(possible_.idx2x(x)),
-                             static_cast<float>(possible_.idx2y(y)), FrontierPoint::Kind::Hidden});
-    }
-  }
+  workBits_.forEach([this](int x, int y) {
+    if (x == 0 || y == 0 || x + 1 == possible_.width() || y + 1 == possible_.height()) return;
+    frontier_.push_back({static_cast<float>(possible_.idx2x(x)),
+                         static_cast<float>(possible_.idx2y(y)), FrontierPoint::Kind::Hidden});
+  });
 }
 
 }  // namespace bslnav

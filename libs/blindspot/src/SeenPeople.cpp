@@ -24,6 +24,13 @@ bool isNearSolid(const CostGrid& solid, const TPoint2D& p, int reach) {
   return false;
 }
 
+TPoint2D endOf(const PlanarScan& scan, std::size_t beam, const mrpt::math::TPose2D& mapFromRobot) {
+  const auto& sensor = scan.robotFromSensor();
+  const double range_m = scan.range_m[beam];
+  return mapFromRobot.composePoint(
+      TPoint2D{sensor.x + range_m * scan.cosine[beam], sensor.y + range_m * scan.sine[beam]});
+}
+
 }  // namespace
 
 void SeenPeopleParameters::describe(ConfigSection& section) {
@@ -34,24 +41,33 @@ void SeenPeopleParameters::describe(ConfigSection& section) {
                  "what is narrower and stands still is an obstacle, not a person");
   section.number("widest_m", widest_m, kPositive, "m",
                  "what is wider is an obstacle, not a person");
+  section.number("lowest_m", lowest_m, kNonNegative, "m",
+                 "what a depth camera sees whole and lower is an obstacle, not a person");
   section.number("standing_s", standing_s, kNonNegative, "s",
                  "so long has what is narrower than a person to stand still");
   section.number("still_within_m", stillWithin_m, kPositive, "m",
-                 "the middle of what stands still stays within this distance");
+                 "the middle of what stands still stays within this distance and half its width");
 }
 
-void SeenPeople::update(const std::vector<const PlanarScan*>& scans, double stamp_s,
-                        const mrpt::math::TPose2D& mapFromRobot, const CostGrid& solid,
-                        double personSpeed_mps) {
-  if (scans.empty()) return;
+void SeenPeople::update(const Views& views, double stamp_s, const mrpt::math::TPose2D& mapFromRobot,
+                        const CostGrid& solid, double personSpeed_mps) {
+  if (views.lasers.empty() && views.cameras.empty()) return;
   points_.clear();
   things_.clear();
   frontier_.clear();
-  for (const PlanarScan* scan : scans) findThings(*scan, mapFromRobot, solid);
-  for (const Thing& thing : things_) {
-    Track& track = trackOf(thing, stamp_s, personSpeed_mps);
-    follow(track, thing, stamp_s);
-    if (!track.mayWalk) continue;
+  for (const PlanarScan* scan : views.lasers) findThings(*scan, mapFromRobot, solid);
+  findTops(views.obstacles, mapFromRobot);
+  for (Thing& thing : things_) thing.isLow = isLow(thing);
+  for (const PlanarScan* scan : views.cameras) findThings(*scan, mapFromRobot, solid);
+  for (Thing& thing : things_) {
+    if (thing.another) {
+      thing.mayWalk = things_[*thing.another].mayWalk;
+    } else {
+      Track& track = trackOf(thing, stamp_s, personSpeed_mps);
+      follow(track, thing, stamp_s);
+      thing.mayWalk = track.mayWalk;
+    }
+    if (!thing.mayWalk) continue;
     for (std::size_t i = thing.first; i < thing.first + thing.count; ++i)
       frontier_.push_back({static_cast<float>(points_[i].x), static_cast<float>(points_[i].y),
                            FrontierPoint::Kind::Seen});
@@ -75,29 +91,27 @@ void SeenPeople::findMovers(double stamp_s) {
 
 void SeenPeople::findThings(const PlanarScan& scan, const mrpt::math::TPose2D& mapFromRobot,
                             const CostGrid& solid) {
-  const auto& sensor = scan.robotFromSensor();
   const int reach = static_cast<int>(std::ceil(parameters_.mapTolerance_m / solid.getResolution()));
+  const std::size_t others = things_.size();
   std::size_t first = points_.size();
-  for (int i = 0; i < scan.size(); ++i) {
-    const auto k = static_cast<std::size_t>(i);
+  for (std::size_t k = 0; k < scan.beam.size(); ++k) {
     if (scan.beam[k] != PlanarScan::Beam::Hit) continue;
-    const double range = scan.range_m[k];
-    const TPoint2D p = mapFromRobot.composePoint(
-        TPoint2D{sensor.x + range * scan.cosine[k], sensor.y + range * scan.sine[k]});
+    const TPoint2D p = endOf(scan, k, mapFromRobot);
     if (!solid.bounds().contains(solid.cellX(p.x), solid.cellY(p.y))) continue;
     if (isNearSolid(solid, p, reach)) continue;
     const bool joined =
         points_.size() > first && (points_.back() - p).norm() <= parameters_.clusterGap_m;
     if (!joined) {
-      addThing(first);
+      addThing(first, others);
       first = points_.size();
     }
     points_.push_back(p);
   }
-  addThing(first);
+  addThing(first, others);
 }
 
-void SeenPeople::addThing(std::size_t first) {
+/** @param others so many things are of the scans before */
+void SeenPeople::addThing(std::size_t first, std::size_t others) {
   if (points_.size() == first) return;
   TPoint2D sum;
   double width = 0.0;
@@ -106,7 +120,59 @@ void SeenPeople::addThing(std::size_t first) {
     width = std::max(width, (points_[i] - points_[first]).norm());
   }
   const auto count = points_.size() - first;
-  things_.push_back({first, count, sum * (1.0 / static_cast<double>(count)), width});
+  Thing thing{first,        count, sum * (1.0 / static_cast<double>(count)), width, std::nullopt,
+              std::nullopt, true};
+  thing.another = findAnother(thing, others);
+  things_.push_back(thing);
+}
+
+/** The thing in a scan before that this one touches. Low ones do not count: who stands behind one
+ * is seen above it. */
+std::optional<std::size_t> SeenPeople::findAnother(const Thing& thing, std::size_t others) const {
+  const double gap_m = parameters_.clusterGap_m;
+  for (std::size_t k = 0; k < others; ++k) {
+    const Thing& other = things_[k];
+    if (other.another || other.isLow.value_or(false)) continue;
+    // No point is farther from the middle than twice the width.
+    const double farthest_m = gap_m + 2.0 * (thing.width_m + other.width_m);
+    if ((thing.middle - other.middle).norm() > farthest_m) continue;
+    for (std::size_t i = other.first; i < other.first + other.count; ++i)
+      for (std::size_t j = thing.first; j < thing.first + thing.count; ++j)
+        if ((points_[i] - points_[j]).sqrNorm() <= gap_m * gap_m) return k;
+  }
+  return std::nullopt;
+}
+
+void SeenPeople::findTops(const std::vector<const PlanarScan*>& scans,
+                          const mrpt::math::TPose2D& mapFromRobot) {
+  tops_.clear();
+  for (const PlanarScan* scan : scans)
+    for (std::size_t k = 0; k < scan->beam.size(); ++k) {
+      if (scan->beam[k] != PlanarScan::Beam::Hit) continue;
+      const double highestView_m =
+          scan->sensorHeight_m + static_cast<double>(scan->range_m[k] * scan->steepest[k]);
+      tops_.push_back({endOf(*scan, k, mapFromRobot), static_cast<double>(scan->top_m[k]),
+                       highestView_m >= parameters_.lowest_m});
+    }
+}
+
+/** Whether what is seen near all points of a thing is lower than people; nullopt if part of that
+ * was not seen, or not up to their height. */
+std::optional<bool> SeenPeople::isLow(const Thing& thing) const {
+  if (thing.width_m > parameters_.widest_m) return std::nullopt;  // nor does it matter
+  const double gap_m = parameters_.clusterGap_m;
+  bool whole = true;
+  for (std::size_t i = thing.first; i < thing.first + thing.count; ++i) {
+    bool found = false;
+    for (const Top& top : tops_) {
+      if ((top.at - points_[i]).sqrNorm() > gap_m * gap_m) continue;
+      if (top.height_m >= parameters_.lowest_m) return false;
+      found = true;
+      whole = whole && top.isWhole;
+    }
+    whole = whole && found;
+  }
+  return whole ? std::optional<bool>(true) : std::nullopt;
 }
 
 /** The nearest track that is not further on already, or a new one. */
@@ -139,17 +205,20 @@ void SeenPeople::follow(Track& track, const Thing& thing, double stamp_s) const 
   track.position = thing.middle;
   track.lastSeen_s = stamp_s;
   track.width_m = std::max(track.width_m, thing.width_m);
-  if ((thing.middle - track.stoodAt).norm() > parameters_.stillWithin_m) {
+  // What is seen of a thing from here and from there has its middle up to half a width away.
+  if ((thing.middle - track.stoodAt).norm() > parameters_.stillWithin_m + 0.5 * track.width_m) {
     // The middle of what comes into view moves, too: only what stood whole can be seen to walk.
     track.hasMoved = track.hasMoved || stamp_s - track.firstSeen_s > parameters_.standing_s;
     track.stoodAt = thing.middle;
     track.stillSince_s = stamp_s;
+    track.isLow = false;
   }
+  track.isLow = thing.isLow.value_or(track.isLow);
   const bool asWideAsPeople =
       track.width_m >= parameters_.narrowest_m && track.width_m <= parameters_.widest_m;
   const bool stands = stamp_s - track.stillSince_s >= parameters_.standing_s;
   const bool isWide = track.width_m > parameters_.widest_m;
-  track.mayWalk = asWideAsPeople || (!isWide && (track.hasMoved || !stands));
+  track.mayWalk = !track.isLow && (asWideAsPeople || (!isWide && (track.hasMoved || !stands)));
 }
 
 }  // namespace bslnav

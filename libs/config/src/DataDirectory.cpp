@@ -16,4 +16,10 @@ std::string dataDirectory() {
               "its data directory (share/bslnav beside it) is missing; install bslnav again");
 }
 
+std::string dataFile(const std::string& file) {
+  if (std::filesystem::exists(file)) return file;
+  const std::string shipped = dataDirectory() + "/" + file;
+  return std::filesystem::exists(shipped) ? shipped : file;
+}
+
 }  // namespace bslnav

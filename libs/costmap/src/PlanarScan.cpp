@@ -14,6 +14,7 @@ void PlanarScan::reset(const mrpt::math::TPose2D& robotFromSensor, double maxRan
   range_m.assign(beams, 0.0f);
   beam.assign(beams, Beam::Dropped);
   start_m.clear();
+  steepest.clear();
   top_m.clear();
 }
 

@@ -16,12 +16,6 @@ struct Group {
   std::vector<double> cycles_ms;
 };
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 std::string line(const Group& group) {
   const RunTally& t = group.tally;
   return "| " + group.name + " | " + std::to_string(t.runs) + " | " +

@@ -5,18 +5,10 @@
 #include <bslnav/simulation/StaticMap.h>
 #include <mrpt/random/RandomGenerators.h>
 
-#include <filesystem>
-
 namespace bslnav {
 namespace {
 
 constexpr double kSurveyHeight_m = 0.25;  // of a map of the world for a robot without laser
-
-/** A map file as given, else in the project's data directory: scenarios work from any directory. */
-std::string findMap(const std::string& file) {
-  const std::string shipped = dataDirectory() + "/" + file;
-  return !std::filesystem::exists(file) && std::filesystem::exists(shipped) ? shipped : file;
-}
 
 }  // namespace
 
@@ -128,7 +120,7 @@ std::shared_ptr<const mrpt::maps::COccupancyGridMap2D> SimulationSetup::makeMap(
   if (scenario.map == "world")
     map = staticMap(world, navigation.costmap.resolution_m, surveyHeight_m, 1.0);
   else
-    map = loadMap(findMap(scenario.map));
+    map = loadMap(dataFile(scenario.map));
   for (const auto& goal : scenario.goals)
     if (goal.x < map->getXMin() || goal.x > map->getXMax() || goal.y < map->getYMin() ||
         goal.y > map->getYMax())

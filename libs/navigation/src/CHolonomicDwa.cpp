@@ -34,10 +34,9 @@ struct Scales {
 };
 
 /** The sections of MRPT's INI file that describe the method, bound to its parameters. */
-void bindTo(Config& config, DwaParameters& dwa, RobotLimits& limits, Footprint& footprint) {
+void bindTo(Config& config, DwaParameters& dwa, RobotLimits& limits) {
   config.bind("dwa", "Dynamic window approach with the paper's cost function.", dwa);
   config.bind("limits", "What the robot's base can do.", limits);
-  config.bind("footprint", "The robot's outline.", footprint);
 }
 
 }  // namespace
@@ -60,9 +59,8 @@ void CHolonomicDwa::use(const DwaParameters& parameters, const RobotLimits& limi
 }
 
 void CHolonomicDwa::initialize(const mrpt::config::CConfigFileBase& file) {
-  Footprint footprint;
   Config config;
-  bindTo(config, parameters_, limits_, footprint);
+  bindTo(config, parameters_, limits_);
   config.loadOwnSections(file, "MRPT's configuration");
   // MRPT's engine has tested the robot's shape already: a point is enough on open ground.
   const InflationLayer none({0.05, 10.0}, 0.0, openGround_.getResolution());
@@ -73,9 +71,8 @@ void CHolonomicDwa::initialize(const mrpt::config::CConfigFileBase& file) {
 void CHolonomicDwa::saveConfigFile(mrpt::config::CConfigFileBase& file) const {
   DwaParameters dwa = parameters_;
   RobotLimits limits = limits_;
-  Footprint footprint;
   Config config;
-  bindTo(config, dwa, limits, footprint);
+  bindTo(config, dwa, limits);
   config.copyTo(file);
 }
 
@@ -88,9 +85,7 @@ void CHolonomicDwa::navigate(const NavInput& ni, NavOutput& no) {
     evaluatePaths(situation_->input, nullptr);
   } else {
     const auto& state = ptg->getCurrentNavDynamicState();
-    const double reach = limits_.maxSpeed_mps * parameters_.horizon_s + 1.0;
-    const int cells = static_cast<int>(2.0 * reach / openGround_.getResolution());
-    openGround_ = CostGrid(cells, cells, openGround_.getResolution(), -reach, -reach);
+    makeOpenGround();
     const std::vector<mrpt::math::TPoint2D> noPath;  // the target is all that MRPT knows
     const DwaInput input{
         {}, state.curVelLocal, noPath, {state.relTarget.x, state.relTarget.y}, 0.1, true};
@@ -115,6 +110,15 @@ void CHolonomicDwa::navigate(const NavInput& ni, NavOutput& no) {
   const double part = turns ? best.w_radps / full.omega
                             : std::hypot(best.v_mps, best.vy_mps) / std::hypot(full.vx, full.vy);
   no.desiredSpeed = ni.maxRobotSpeed * std::abs(part);
+}
+
+/** Free cells as far as a rollout reaches. */
+void CHolonomicDwa::makeOpenGround() {
+  const double reach_m = limits_.maxSpeed_mps * parameters_.horizon_s + 1.0;
+  const double cell_m = openGround_.getResolution();
+  const int cells = static_cast<int>(2.0 * reach_m / cell_m);
+  if (openGround_.width() != cells)
+    openGround_ = CostGrid(cells, cells, cell_m, -reach_m, -reach_m);
 }
 
 /** What MRPT knows of obstacles near a candidate: how much of the path's free distance it leaves,
@@ -150,6 +154,13 @@ void CHolonomicDwa::evaluatePaths(const DwaInput& input, const NavInput* stock) 
     scales.keepWithin(full.vx, window.vMin, window.vMax);
     scales.keepWithin(full.vy, window.vyMin, window.vyMax);
     scales.keepWithin(full.omega, window.wMin, window.wMax);
+    if (scales.low > scales.high) {
+      for (int i = 0; i < speeds; ++i, ++candidate) {
+        *candidate = {};
+        candidate->verdict = Candidate::Verdict::OutOfWindow;
+      }
+      continue;
+    }
     const double horizon_m = std::hypot(full.vx, full.vy) * scales.high * parameters_.horizon_s;
     samplePath(ptg, k, horizon_m, spacing, path_);
     for (int i = speeds - 1; i >= 0; --i, ++candidate) {
@@ -158,11 +169,6 @@ void CHolonomicDwa::evaluatePaths(const DwaInput& input, const NavInput* stock) 
       candidate->vy_mps = full.vy * scale;
       candidate->w_radps = full.omega * scale;
       const double reach = std::hypot(full.vx, full.vy) * scale * parameters_.horizon_s;
-      if (scales.low > scales.high) {
-        *candidate = {};
-        candidate->verdict = Candidate::Verdict::OutOfWindow;
-        continue;
-      }
       evaluator_->evaluate(*candidate, path_, reach);
       if (stock) heed(*stock, k, reach, *candidate);
     }

@@ -1,6 +1,6 @@
 #include <bslnav/navigation/DepthCameras.h>
 
-#include <algorithm>
+#include <utility>
 
 namespace bslnav {
 
@@ -11,7 +11,8 @@ void DepthCameras::beginCycle() {
 DepthCameras::Camera& DepthCameras::cameraOf(const std::string& label) {
   for (Camera& camera : cameras_)
     if (camera.label == label) return camera;
-  cameras_.push_back({label, nullptr, 0.0, false, {}, DepthScan(parameters_)});
+  cameras_.push_back(
+      {label, nullptr, 0.0, false, {}, DepthScan(obstacles_), PersonVisibility(people_)});
   return cameras_.back();
 }
 
@@ -38,20 +39,37 @@ const std::vector<const DepthFrame*>& DepthCameras::framesSince(double time_s,
   return frames_;
 }
 
-const std::vector<PlanarScan>& DepthCameras::newScans() {
-  for (; !scans_.empty(); scans_.pop_back()) spareScans_.push_back(std::move(scans_.back()));
-  for (Camera& camera : cameras_) {
-    if (!camera.isNew) continue;
-    if (spareScans_.empty()) spareScans_.emplace_back();
-    scans_.push_back(std::move(spareScans_.back()));
-    spareScans_.pop_back();
-    scans_.back() = camera.scan.make(camera.frame);
-  }
-  return scans_;
+void DepthCameras::Scans::clear() {
+  for (; !used.empty(); used.pop_back()) spare.push_back(std::move(used.back()));
 }
 
-bool DepthCameras::hasNew() const {
-  return std::any_of(cameras_.begin(), cameras_.end(), [](const Camera& c) { return c.isNew; });
+void DepthCameras::Scans::add(const PlanarScan& scan) {
+  if (spare.empty()) spare.emplace_back();
+  used.push_back(std::move(spare.back()));
+  spare.pop_back();
+  used.back() = scan;
+}
+
+const std::vector<PlanarScan>& DepthCameras::newScans() {
+  scans_.clear();
+  for (Camera& camera : cameras_)
+    if (camera.isNew) scans_.add(camera.scan.make(camera.frame));
+  return scans_.used;
+}
+
+const std::vector<PlanarScan>& DepthCameras::newPersonViews() {
+  personViews_.clear();
+  for (Camera& camera : cameras_)
+    if (camera.isNew) personViews_.add(camera.people.make(camera.frame));
+  return personViews_.used;
+}
+
+std::optional<double> DepthCameras::oldestNew_s() const {
+  std::optional<double> oldest_s;
+  for (const Camera& camera : cameras_)
+    if (camera.isNew && camera.stamp_s < oldest_s.value_or(camera.stamp_s + 1.0))
+      oldest_s = camera.stamp_s;
+  return oldest_s;
 }
 
 }  // namespace bslnav

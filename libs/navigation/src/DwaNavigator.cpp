@@ -31,29 +31,7 @@ void DwaNavigator::onStartNewNavigation() {
   if (!cycle_) throw Error("DwaNavigator", "loadConfigFile() was not called");
   targets_.clear();
   m_last_curPoseVelUpdate_robot_time = -1e9;  // else MRPT may start without a pose
-  CWaypointsNavigator::onStartNewNavigation();
-}
-
-/** MRPT logs a step that failed and tries again for ever. */
-void DwaNavigator::navigationStep() {
-  const std::lock_guard<std::recursive_mutex> waypoints(m_nav_waypoints_cs);  // MRPT's order
-  const std::lock_guard<std::recursive_mutex> lock(m_nav_cs);
-  failed_ = false;
-  try {
-    CWaypointsNavigator::navigationStep();
-  } catch (const std::exception&) {
-    if (!failed_) throw;
-  }
-  if (failed_) m_navigationState = NAV_ERROR;
-}
-
-void DwaNavigator::updateCurrentPoseAndSpeeds() {
-  try {
-    CWaypointsNavigator::updateCurrentPoseAndSpeeds();
-  } catch (const std::exception&) {
-    failed_ = true;
-    throw;
-  }
+  EndsWhenFailed::onStartNewNavigation();
 }
 
 bool DwaNavigator::stop(bool isEmergencyStop) {
@@ -65,15 +43,6 @@ bool DwaNavigator::checkHasReachedTarget(const double distance_m) const {
   return CWaypointsNavigator::checkHasReachedTarget(distance_m) &&
          (m_navigationParams->target.targetIsIntermediaryWaypoint ||
           isStanding(m_curPoseVel.velLocal));
-}
-
-void DwaNavigator::performNavigationStep() {
-  try {
-    step();
-  } catch (const std::exception& problem) {
-    doEmergencyStop(problem.what());
-    failed_ = true;
-  }
 }
 
 void DwaNavigator::step() {

@@ -1,7 +1,6 @@
 #include <bslnav/costmap/MapLoader.h>
 #include <bslnav/navigation/MrptSetup.h>
-
-#include <sstream>
+#include <mrpt/system/string_utils.h>
 
 namespace bslnav {
 
@@ -18,13 +17,10 @@ void MrptSetup::load(const mrpt::config::CConfigFileBase& file) {
   own.bind("bslnav", "What bslnav adds to MRPT's navigation.", *this);
   own.loadOwnSections(file, name);
 
-  std::vector<std::string> files;
-  std::istringstream words(config);
-  for (std::string word; std::getline(words, word, ',');) {
-    const auto first = word.find_first_not_of(' ');
-    if (first != std::string::npos)
-      files.push_back(word.substr(first, word.find_last_not_of(' ') + 1 - first));
-  }
+  std::vector<std::string> words, files;
+  mrpt::system::tokenize(config, ",", words);
+  for (const auto& word : words)
+    if (auto trimmed = mrpt::system::trim(word); !trimmed.empty()) files.push_back(trimmed);
   files.push_back(dataDirectory() + "/config/methods/method" + std::to_string(method) + ".ini");
   Config parameters;
   navigation.bind(parameters);

@@ -49,6 +49,8 @@ void NavigationParameters::bind(Config& config) {
               guard);
   config.bind("movers",
               "Whom not to be in the way of; counts by [dwa] weight_movers, with a guard.", movers);
+  config.bind("person_visibility", "How far depth cameras see people; for the guard.",
+              personVisibility);
   config.bind("hidden_people", "Where somebody may be whom no sensor sees; for the guard.",
               hiddenPeople);
   config.bind("seen_people", "Who of what the map does not explain may walk off; for the guard.",
@@ -76,6 +78,8 @@ void NavigationParameters::check() const {
     Config::refuse("depth", "enabled", "true with [blind_spots] source = depth_clusters");
   if (depth.obstacles.zMax_m <= depth.obstacles.zMin_m)
     Config::refuse("depth", "obstacle_z_max_m", "a height above obstacle_z_min_m");
+  if (personVisibility.floor_m >= personVisibility.height_m)
+    Config::refuse("person_visibility", "floor_m", "a height below height_m");
   depthClusters.check();
 }
 

@@ -1,13 +1,24 @@
 #include <bslnav/navigation/People.h>
 
 namespace bslnav {
+namespace {
 
-void People::update(const std::vector<PlanarScan>& scans, double stamp_s,
-                    const mrpt::math::TPose2D& mapFromRobot, double personSpeed_mps) {
-  views_.clear();
-  for (const PlanarScan& scan : scans) views_.push_back(&scan);
-  if (views_.empty()) return;
-  hidden_.update(views_, stamp_s, mapFromRobot, personSpeed_mps);
+void pointTo(const std::vector<PlanarScan>& scans, std::vector<const PlanarScan*>& pointers) {
+  pointers.clear();
+  for (const PlanarScan& scan : scans) pointers.push_back(&scan);
+}
+
+}  // namespace
+
+void People::update(const Views& views, double stamp_s, const mrpt::math::TPose2D& mapFromRobot,
+                    double personSpeed_mps) {
+  pointTo(views.lasers, views_.lasers);
+  pointTo(views.cameras, views_.cameras);
+  pointTo(views.obstacles, views_.obstacles);
+  all_ = views_.lasers;
+  all_.insert(all_.end(), views_.cameras.begin(), views_.cameras.end());
+  if (all_.empty()) return;
+  hidden_.update(all_, stamp_s, mapFromRobot, personSpeed_mps);
   seen_.update(views_, stamp_s, mapFromRobot, hidden_.solid(), personSpeed_mps);
   frontier_.assign(hidden_.frontier().begin(), hidden_.frontier().end());
   frontier_.insert(frontier_.end(), seen_.frontier().begin(), seen_.frontier().end());

@@ -7,9 +7,10 @@
 #include "PtgPaths.h"
 
 namespace bslnav {
+
 PtgNavigation::PtgNavigation(mrpt::nav::CRobot2NavInterface& robot, bool consoleOutput,
                              bool logFile, const std::string& logDirectory)
-    : CReactiveNavigationSystem(robot, consoleOutput, logFile, logDirectory) {
+    : EndsWhenFailed(robot, consoleOutput, logFile, logDirectory) {
   mrpt::rtti::registerClass(CLASS_ID(CHolonomicDwa));
 }
 
@@ -44,42 +45,14 @@ void PtgNavigation::setSituation(const DwaSituation* situation) {
 }
 
 void PtgNavigation::onStartNewNavigation() {
-  problem_.clear();
   if (evaluator_) evaluator_->reset();
-  CReactiveNavigationSystem::onStartNewNavigation();
-}
-
-/** MRPT logs a step that failed and tries again for ever. */
-void PtgNavigation::navigationStep() {
-  const std::lock_guard<std::recursive_mutex> waypoints(m_nav_waypoints_cs);  // MRPT's order
-  const std::lock_guard<std::recursive_mutex> lock(m_nav_cs);
-  failed_ = false;
-  try {
-    CReactiveNavigationSystem::navigationStep();
-  } catch (const std::exception&) {
-    if (!failed_) throw;
-  }
-  if (failed_) m_navigationState = NAV_ERROR;
-}
-
-void PtgNavigation::updateCurrentPoseAndSpeeds() {
-  try {
-    CReactiveNavigationSystem::updateCurrentPoseAndSpeeds();
-  } catch (const std::exception& problem) {
-    failed_ = true;
-    problem_ = problem.what();
-    throw;
-  }
+  EndsWhenFailed::onStartNewNavigation();
 }
 
 void PtgNavigation::performNavigationStep() {
   chosen_ = nullptr;
   result_.command = {};
-  try {
-    CReactiveNavigationSystem::performNavigationStep();
-  } catch (const std::exception& problem) {
-    doEmergencyStop(problem.what());
-  }
+  attempt([this] { CReactiveNavigationSystem::performNavigationStep(); });
   collectResult();
 }
 
@@ -96,12 +69,6 @@ double PtgNavigation::generate_vel_cmd(const mrpt::nav::TCandidateMovementPTG& m
   result_.command = limited(wanted, from, limits_, controlPeriod_s_);
   setVelocity(result_.command, *command);
   return scale;
-}
-
-void PtgNavigation::doEmergencyStop(const std::string& message) {
-  problem_ = message;
-  failed_ = true;
-  CReactiveNavigationSystem::doEmergencyStop(message);
 }
 
 void PtgNavigation::collectResult() {

@@ -1,8 +1,8 @@
 #include <bslnav/config/Config.h>
 #include <bslnav/config/Error.h>
 #include <bslnav/navigation/ReactivePlanner.h>
-#include <mrpt/config/CConfigFile.h>
 #include <mrpt/config/CConfigFileMemory.h>
+#include <mrpt/io/vector_loadsave.h>
 #include <mrpt/kinematics/CVehicleVelCmd_DiffDriven.h>
 #include <mrpt/nav/registerAllClasses.h>
 
@@ -16,15 +16,6 @@ namespace {
 
 using mrpt::math::TPose2D;
 using mrpt::math::TTwist2D;
-
-std::string findFile(const std::string& file) {
-  const std::string shipped = dataDirectory() + "/" + file;
-  if (std::filesystem::exists(file)) return file;
-  if (!std::filesystem::exists(shipped))
-    throw Error("configuration [navigator]",
-                "no such file: " + file + "; expected an INI file of MRPT's reactive navigation");
-  return shipped;
-}
 
 /** The message of an exception of MRPT's without its place and call stack. */
 std::string messageOf(const std::exception& problem) {
@@ -65,15 +56,11 @@ double sight_m(NavigatorType type, const RobotLimits& limits, const Footprint& f
 /** MRPT's configuration with this robot's speeds and shape. */
 mrpt::config::CConfigFileMemory configOf(const NavigatorParameters& parameters,
                                          const RobotLimits& limits, const Footprint& footprint) {
-  const std::string file = findFile(parameters.config());
-  mrpt::config::CConfigFileMemory memory;
-  const mrpt::config::CConfigFile ini(file);
-  std::vector<std::string> sections, keys;
-  ini.getAllSections(sections);
-  for (const auto& section : sections) {
-    ini.getAllKeys(section, keys);
-    for (const auto& key : keys) memory.write(section, key, ini.read_string(section, key, ""));
-  }
+  const std::string file = dataFile(parameters.config());
+  if (!std::filesystem::exists(file))
+    throw Error("configuration [navigator]",
+                "no such file: " + file + "; expected an INI file of MRPT's reactive navigation");
+  mrpt::config::CConfigFileMemory memory(mrpt::io::file_get_contents(file));
   const double degrees = 180.0 / M_PI;
   memory.write(
       "CAbstractPTGBasedReactive", "holonomic_method",
@@ -85,10 +72,10 @@ mrpt::config::CConfigFileMemory configOf(const NavigatorParameters& parameters,
   const auto [xs, ys] = outlineOf(footprint);
   memory.write(navigation, "RobotModel_shape2D_xs", xs);
   memory.write(navigation, "RobotModel_shape2D_ys", ys);
-  const int ptgs = ini.read_int(navigation, "PTG_COUNT", 0, true);
+  const int ptgs = memory.read_int(navigation, "PTG_COUNT", 0, true);
   for (int i = 0; i < ptgs; ++i) {
     const std::string prefix = "PTG" + std::to_string(i) + "_";
-    const double share = ini.read_double(navigation, prefix + "speed_share", 1.0);
+    const double share = memory.read_double(navigation, prefix + "speed_share", 1.0);
     memory.write(navigation, prefix + "v_max_mps", share * limits.maxSpeed_mps);
     memory.write(navigation, prefix + "w_max_dps", limits.maxYawRate_radps * degrees);
     memory.write(navigation, prefix + "robot_radius", footprint.inscribedRadius_m());
@@ -106,22 +93,13 @@ class ReactivePlanner::Robot : public mrpt::nav::CRobot2NavInterface {
     setMinLoggingLevel(mrpt::system::LVL_ERROR);
   }
 
+  /** @param costs must live as long as the navigation step */
   void set(const DwaInput& input, const CostGrid& costs) {
     pose_ = input.mapFromRobot;
     twist_ = input.twist;
     command_ = {};
     time_s_ += 0.1;  // of each cycle: MRPT asks again only when time went on
-    obstacles_.clear();
-    const double c = std::cos(pose_.phi), s = std::sin(pose_.phi), cell = costs.getResolution();
-    for (int y = 0; y < costs.height(); ++y)
-      for (int x = 0; x < costs.width(); ++x) {
-        if (costs.at(x, y) != kLethalCost) continue;
-        const double dx = costs.getXMin() + (x + 0.5) * cell - pose_.x;
-        const double dy = costs.getYMin() + (y + 0.5) * cell - pose_.y;
-        if (dx * dx + dy * dy > sight_m_ * sight_m_) continue;
-        obstacles_.insertPoint(static_cast<float>(c * dx + s * dy),
-                               static_cast<float>(c * dy - s * dx), 0.0f);
-      }
+    costs_ = &costs;
   }
   const TTwist2D& command() const { return command_; }
 
@@ -148,7 +126,17 @@ class ReactivePlanner::Robot : public mrpt::nav::CRobot2NavInterface {
   }
   bool senseObstacles(mrpt::maps::CSimplePointsMap& obstacles,
                       mrpt::system::TTimeStamp& stamp) override {
-    obstacles = obstacles_;
+    obstacles.clear();
+    const double c = std::cos(pose_.phi), s = std::sin(pose_.phi), cell = costs_->getResolution();
+    for (int y = 0; y < costs_->height(); ++y)
+      for (int x = 0; x < costs_->width(); ++x) {
+        if (costs_->at(x, y) != kLethalCost) continue;
+        const double dx = costs_->getXMin() + (x + 0.5) * cell - pose_.x;
+        const double dy = costs_->getYMin() + (y + 0.5) * cell - pose_.y;
+        if (dx * dx + dy * dy > sight_m_ * sight_m_) continue;
+        obstacles.insertPoint(static_cast<float>(c * dx + s * dy),
+                              static_cast<float>(c * dy - s * dx), 0.0f);
+      }
     stamp = mrpt::Clock::now();
     return true;
   }
@@ -160,7 +148,7 @@ class ReactivePlanner::Robot : public mrpt::nav::CRobot2NavInterface {
   TPose2D pose_;
   TTwist2D twist_, command_;
   double time_s_ = 0.0;
-  mrpt::maps::CSimplePointsMap obstacles_;
+  const CostGrid* costs_ = nullptr;  // of the step that runs
 };
 
 ReactivePlanner::ReactivePlanner(const NavigatorParameters& parameters, const DwaParameters& dwa,
@@ -187,8 +175,6 @@ ReactivePlanner::ReactivePlanner(const NavigatorParameters& parameters, const Dw
 }
 
 ReactivePlanner::~ReactivePlanner() = default;
-
-PtgNavigation& ReactivePlanner::navigation() { return *navigation_; }
 
 void ReactivePlanner::reset() { navigation_->cancel(); }
 

@@ -31,7 +31,7 @@ Surroundings::Surroundings(const NavigationParameters& parameters,
       local_(parameters.costmap, parameters.footprint, map, Extent::Rolling),
       scanJumps_(parameters.scanJumps),
       depthClusters_(parameters.depthClusters),
-      depthCameras_(parameters.depth.obstacles) {
+      depthCameras_(parameters.depth.obstacles, parameters.personVisibility) {
   if (parameters.guard.enabled)
     people_.emplace(parameters.hiddenPeople, parameters.seenPeople,
                     parameters.footprint.circumscribedRadius_m(), map, parameters.costmap.map);
@@ -61,15 +61,17 @@ void Surroundings::update(const SensorFrame& frame, CycleRecord& record) {
   local_.update(record.mapFromRobot, scans_, record.dangerZones, depthScans);
   if (global_) global_->update(record.mapFromRobot, scans_, {}, depthScans);
   record.times.costmap_s = seconds(stage);
-  if (people_) findPeople(frame, record);
+  if (people_) findPeople(frame, record, depthScans);
   record.times.people_s = seconds(stage);
 }
 
-void Surroundings::findPeople(const SensorFrame& frame, const CycleRecord& record) {
-  double oldest_s = frame.time_s;
+void Surroundings::findPeople(const SensorFrame& frame, const CycleRecord& record,
+                              const std::vector<PlanarScan>& depthScans) {
+  double oldest_s = std::min(frame.time_s, depthCameras_.oldestNew_s().value_or(frame.time_s));
   for (const auto& scan : frame.scans)
     oldest_s = std::min(oldest_s, mrpt::Clock::toDouble(scan->timestamp) - frame.startTime_s);
-  people_->update(scans_, oldest_s, record.mapFromRobot, parameters_.guard.personSpeed_mps);
+  people_->update({scans_, depthCameras_.newPersonViews(), depthScans}, oldest_s,
+                  record.mapFromRobot, parameters_.guard.personSpeed_mps);
 }
 
 CycleRecord::Health Surroundings::takeOver(const SensorFrame& frame, CycleRecord& record) {

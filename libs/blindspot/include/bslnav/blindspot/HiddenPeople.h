@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bslnav/blindspot/BitGrid.h>
 #include <bslnav/blindspot/Frontier.h>
 #include <bslnav/blindspot/ScanView.h>
 #include <bslnav/config/ConfigSection.h>
@@ -46,9 +47,8 @@ class HiddenPeople {
                const std::shared_ptr<const mrpt::maps::COccupancyGridMap2D>& map,
                const StaticParameters& mapThresholds);
 
-  /** Takes in what was seen; without scans nothing changes. OpenCV's filters allocate their work
-   * space in each call.
-   *  @param scans in the robot frame of `mapFromRobot`
+  /** Takes in what was seen; without scans nothing changes.
+   *  @param scans lasers' or PersonVisibility's, in the robot frame of `mapFromRobot`
    *  @param stamp_s when the oldest of them was taken; the state is that of this time
    *  @param personSpeed_mps how fast people walk at most */
   void update(const std::vector<const PlanarScan*>& scans, double stamp_s,
@@ -79,9 +79,9 @@ class HiddenPeople {
   HiddenPeopleParameters parameters_;
   double bodyRadius_m_;
   std::optional<StaticLayer> static_;
-  CostGrid possible_, seen_, surface_, solid_, work_;
-  std::vector<unsigned char> personDisc_;  // structuring element, personCells_² bytes
-  int personCells_ = 1;
+  CostGrid possible_, seen_, surface_, solid_;
+  BitGrid possibleBits_, blockedBits_, workBits_;  // blocked: by walls of the map or surfaces seen
+  int personRadius_cells_;
   ScanView view_;
   std::vector<int> directions_;  // of the cells of a row
   std::vector<float> squared_;   // their squared distances

@@ -97,5 +97,8 @@ class Config {
  * built from.
  *  @throws Error when neither exists. */
 std::string dataDirectory();
+/** A file as given if there is one, else the one of that name in the data directory if there is:
+ * what configurations name is found from any directory. */
+std::string dataFile(const std::string& file);
 
 }  // namespace bslnav

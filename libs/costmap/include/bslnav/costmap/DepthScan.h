@@ -1,8 +1,7 @@
 #pragma once
 
 #include <bslnav/config/ConfigSection.h>
-#include <bslnav/costmap/DepthFrame.h>
-#include <bslnav/costmap/PlanarScan.h>
+#include <bslnav/costmap/DepthBeams.h>
 
 #include <vector>
 
@@ -25,7 +24,8 @@ struct DepthScanParameters {
  * the floor. One object for one camera: it keeps a table of the image's directions. */
 class DepthScan {
  public:
-  explicit DepthScan(const DepthScanParameters& parameters = {}) : parameters_(parameters) {}
+  explicit DepthScan(const DepthScanParameters& parameters = {})
+      : parameters_(parameters), beams_(parameters.beamWidth_rad) {}
 
   /** @param frame of status Ok. The scan is valid until the next call; no allocation while the
    * camera stays the same. */
@@ -36,19 +36,12 @@ class DepthScan {
     float nearest_m, farthest_m, top_m;
   };
 
-  void layOut(const DepthFrame& frame);
   void readRow(const DepthFrame& frame, int v);
   void takeRow(int columns, int v);
 
   DepthScanParameters parameters_;
   PlanarScan scan_;
-  DepthFrame::Geometry layout_{};  // of the camera that the tables are for
-  int beams_ = 0;
-  double beamWidth_rad_ = 0.0;
-  double firstAngle_rad_ = 0.0;          // of beam 0 from the camera's heading
-  std::vector<std::uint16_t> beamOf_;    // of each pixel
-  std::vector<float> distancePerDepth_;  // of each pixel, seen from above
-  std::vector<float> start_m_;           // of each beam
+  DepthBeams beams_;
   std::vector<float> obstacle_m_, above_m_, floor_m_, height_m_;  // of a row of pixels
   std::vector<Direction> directions_;
 };

@@ -52,7 +52,8 @@ class PlanarScan {
   /** What a scan made of a depth image knows besides; empty for lasers. Nearer than start_m a beam
    * does not see the floor, only what is higher than sensorHeight_m · (1 − distance/start_m). */
   std::vector<float> start_m;
-  std::vector<float> top_m;  ///< height of what a Hit met, from the floor
+  std::vector<float> steepest;  ///< tangent of the elevation of the beam's highest ray
+  std::vector<float> top_m;     ///< height of what a Hit met, from the floor
   double sensorHeight_m = 0.0;
 
  private:

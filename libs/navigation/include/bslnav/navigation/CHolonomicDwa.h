@@ -18,8 +18,8 @@ struct DwaSituation {
  *
  * With a situation (BlindSpotReactiveNavigator gives one) it judges paths over the cost map.
  * Without, in MRPT's stock engine, it knows obstacles only as MRPT's collision-free distances and
- * drives straight to the target. Its parameters are bslnav's sections [dwa], [limits] and
- * [footprint] in MRPT's INI file. Scores in the log record: exp(-J / 10), 0 for what is not
+ * drives straight to the target. Its parameters are bslnav's sections [dwa] and [limits] in MRPT's
+ * INI file. Scores in the log record: exp(-J / 10), 0 for what is not
  * admissible; comparable from PTG to PTG. */
 class CHolonomicDwa : public mrpt::nav::CAbstractHolonomicReactiveMethod {
   DEFINE_SERIALIZABLE(CHolonomicDwa, bslnav)
@@ -46,6 +46,7 @@ class CHolonomicDwa : public mrpt::nav::CAbstractHolonomicReactiveMethod {
   const DwaResult& result() const { return result_; }
 
  private:
+  void makeOpenGround();
   void heed(const NavInput& ni, std::uint16_t k, double reach_m, Candidate& candidate) const;
   void evaluatePaths(const DwaInput& input, const NavInput* stock);
 

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <bslnav/blindspot/PersonVisibility.h>
 #include <bslnav/costmap/DepthScan.h>
 #include <bslnav/navigation/MotionHistory.h>
 
 #include <deque>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,9 +21,11 @@ class DepthCameras {
     bool isNew = false;  ///< arrived in this cycle
     DepthFrame frame;
     DepthScan scan;
+    PersonVisibility people;
   };
 
-  explicit DepthCameras(const DepthScanParameters& parameters) : parameters_(parameters) {}
+  DepthCameras(const DepthScanParameters& obstacles, const PersonVisibilityParameters& people)
+      : obstacles_(obstacles), people_(people) {}
 
   /** Before the images of a cycle. */
   void beginCycle();
@@ -35,18 +39,31 @@ class DepthCameras {
   const std::vector<const DepthFrame*>& framesSince(double time_s, const MotionHistory& motion);
   /** What framesSince() returned last. */
   const std::vector<const DepthFrame*>& frames() const { return frames_; }
-  /** The scans made of this cycle's new images. */
+  /** The scans of obstacles made of this cycle's new images. */
   const std::vector<PlanarScan>& newScans();
-  bool hasNew() const;
+  /** How far people would be seen in this cycle's new images. */
+  const std::vector<PlanarScan>& newPersonViews();
+  bool hasNew() const { return oldestNew_s().has_value(); }
+  /** When the oldest of this cycle's new images was taken. */
+  std::optional<double> oldestNew_s() const;
 
  private:
+  /** Scans whose buffers are kept when there are fewer. */
+  struct Scans {
+    std::vector<PlanarScan> used, spare;
+
+    void clear();
+    void add(const PlanarScan& scan);
+  };
+
   Camera& cameraOf(const std::string& label);
 
-  DepthScanParameters parameters_;
+  DepthScanParameters obstacles_;
+  PersonVisibilityParameters people_;
   std::deque<Camera> cameras_;
   DepthFrame incoming_;
   std::vector<const DepthFrame*> frames_;
-  std::vector<PlanarScan> scans_, spareScans_;  // spare: buffers of cycles with more new images
+  Scans scans_, personViews_;
 };
 
 }  // namespace bslnav

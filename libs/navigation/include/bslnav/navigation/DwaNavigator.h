@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bslnav/navigation/EndsWhenFailed.h>
 #include <bslnav/navigation/NavigationCycle.h>
 #include <bslnav/navigation/RobotSenses.h>
 #include <mrpt/nav/reactive/CWaypointsNavigator.h>
@@ -15,25 +16,25 @@ namespace bslnav {
  * Its INI file needs no PTGs: [CAbstractNavigator] and [CWaypointsNavigator] of MRPT's, [bslnav]
  * (MrptSetup) and bslnav's own sections. The robot stops at MRPT's allowed distance to the target;
  * give [motion] goal_tolerance_m no larger. All public functions may be called from any thread. */
-class DwaNavigator : public mrpt::nav::CWaypointsNavigator {
+class DwaNavigator : public EndsWhenFailed<mrpt::nav::CWaypointsNavigator> {
  public:
   explicit DwaNavigator(mrpt::nav::CRobot2NavInterface& robot)
-      : CWaypointsNavigator(robot), senses_(robot) {}
+      : EndsWhenFailed(robot), senses_(robot) {}
   /** Stops the robot. */
   ~DwaNavigator() override;
 
   /** @throws Error */
   void loadConfigFile(const mrpt::config::CConfigFileBase& file) override;
   void initialize() override {}
-  void navigationStep() override;
 
   /** What the last step saw and decided. */
   CycleRecord lastRecord() const;
 
  protected:
-  void performNavigationStep() override;
+  void performNavigationStep() override {
+    attempt([this] { step(); });
+  }
   void onStartNewNavigation() override;
-  void updateCurrentPoseAndSpeeds() override;
   bool stop(bool isEmergencyStop) override;
   /** Arrived is who stands there: MRPT would end the navigation at speed. */
   bool checkHasReachedTarget(const double distance_m) const override;
@@ -47,7 +48,6 @@ class DwaNavigator : public mrpt::nav::CWaypointsNavigator {
   RobotSenses senses_;
   std::unique_ptr<NavigationCycle> cycle_;
   std::vector<mrpt::math::TPose2D> targets_;
-  bool failed_ = false;  // in this step
   mutable std::mutex recordMutex_;
   CycleRecord lastRecord_;
 };

@@ -15,7 +15,7 @@ namespace bslnav {
  *
  * The same object serves simulator, hardware and rawlogs and does not know which. Given the same
  * frames, parameters and goals it returns the same bits (but for the stage times). Nothing in the
- * steady cycle allocates, except for a new path, and with the guard OpenCV's filters. */
+ * steady cycle allocates, except for a new path. */
 class NavigationCycle {
  public:
   /** @param map static map, or null to plan on what the sensors have seen */

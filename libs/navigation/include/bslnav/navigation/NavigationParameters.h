@@ -3,6 +3,7 @@
 #include <bslnav/blindspot/DangerZones.h>
 #include <bslnav/blindspot/DepthClusters.h>
 #include <bslnav/blindspot/HiddenPeople.h>
+#include <bslnav/blindspot/PersonVisibility.h>
 #include <bslnav/blindspot/ScanJumpDetector.h>
 #include <bslnav/blindspot/SeenPeople.h>
 #include <bslnav/config/Config.h>
@@ -67,6 +68,7 @@ struct NavigationParameters {
   DangerZoneParameters dangerZone;
   GuardParameters guard;
   MoverParameters movers;
+  PersonVisibilityParameters personVisibility;
   HiddenPeopleParameters hiddenPeople;
   SeenPeopleParameters seenPeople;
   GlobalPlannerParameters globalPlanner;

@@ -16,11 +16,18 @@ class People {
          const StaticParameters& mapThresholds)
       : hidden_(hidden, bodyRadius_m, map, mapThresholds), seen_(seen) {}
 
-  /** @param scans new in this cycle, in the robot frame of `mapFromRobot`
+  /** What is new in a cycle. */
+  struct Views {
+    const std::vector<PlanarScan>& lasers;
+    const std::vector<PlanarScan>& cameras;    ///< how far they see people
+    const std::vector<PlanarScan>& obstacles;  ///< of the same images: how high things are
+  };
+
+  /** @param views in the robot frame of `mapFromRobot`; visible to one of them is visible
    *  @param stamp_s when the oldest of them was taken
    *  @param personSpeed_mps how fast people walk at most */
-  void update(const std::vector<PlanarScan>& scans, double stamp_s,
-              const mrpt::math::TPose2D& mapFromRobot, double personSpeed_mps);
+  void update(const Views& views, double stamp_s, const mrpt::math::TPose2D& mapFromRobot,
+              double personSpeed_mps);
 
   /** The places from which they come, map frame: first the hidden ones, then those seen. */
   const Frontier& frontier() const { return frontier_; }
@@ -32,7 +39,8 @@ class People {
  private:
   HiddenPeople hidden_;
   SeenPeople seen_;
-  std::vector<const PlanarScan*> views_;
+  std::vector<const PlanarScan*> all_;
+  SeenPeople::Views views_;
   Frontier frontier_;
 };
 

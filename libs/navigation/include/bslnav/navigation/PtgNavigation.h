@@ -1,8 +1,10 @@
 #pragma once
 
 #include <bslnav/navigation/CHolonomicDwa.h>
+#include <bslnav/navigation/EndsWhenFailed.h>
 #include <mrpt/nav/reactive/CReactiveNavigationSystem.h>
 
+#include <memory>
 #include <string>
 
 namespace bslnav {
@@ -12,7 +14,7 @@ namespace bslnav {
  *
  * Whoever owns it gives the situation before each navigationStep(). Methods other than
  * CHolonomicDwa work as in MRPT, then without the situation. */
-class PtgNavigation : public mrpt::nav::CReactiveNavigationSystem {
+class PtgNavigation : public EndsWhenFailed<mrpt::nav::CReactiveNavigationSystem> {
  public:
   /** As CReactiveNavigationSystem's. */
   PtgNavigation(mrpt::nav::CRobot2NavInterface& robot, bool consoleOutput = true,
@@ -24,7 +26,6 @@ class PtgNavigation : public mrpt::nav::CReactiveNavigationSystem {
   void use(const DwaParameters& dwa, const RobotLimits& limits, double controlPeriod_s,
            std::shared_ptr<CandidateEvaluator> evaluator);
   void loadConfigFile(const mrpt::config::CConfigFileBase& file) override;
-  void navigationStep() override;
 
   /** Says nothing any more but by problem(): MRPT warns of every uneven period. */
   void silence();
@@ -35,17 +36,11 @@ class PtgNavigation : public mrpt::nav::CReactiveNavigationSystem {
   const DwaResult& result() const { return result_; }
   /** What was sent in the last step, robot frame; zero for a stop. */
   const mrpt::math::TTwist2D& lastVelocity() const { return result_.command; }
-  /** Why the last navigation ended; empty when it has not failed. */
-  const std::string& problem() const { return problem_; }
 
  protected:
-  /** Whether this step has failed. */
-  bool failing() const { return failed_; }
   void performNavigationStep() override;
-  void updateCurrentPoseAndSpeeds() override;
   double generate_vel_cmd(const mrpt::nav::TCandidateMovementPTG& movement,
                           mrpt::kinematics::CVehicleVelCmd::Ptr& command) override;
-  void doEmergencyStop(const std::string& message) override;
   void onStartNewNavigation() override;
 
  private:
@@ -58,8 +53,6 @@ class PtgNavigation : public mrpt::nav::CReactiveNavigationSystem {
   std::shared_ptr<CandidateEvaluator> evaluator_;
   const DwaSituation* situation_ = nullptr;
   const mrpt::nav::CParameterizedTrajectoryGenerator* chosen_ = nullptr;
-  bool failed_ = false;  // in this step
-  std::string problem_;
   DwaResult result_;
 };
 

@@ -14,8 +14,7 @@ namespace bslnav {
  * target. */
 class ReactivePlanner : public LocalPlanner {
  public:
-  /** @param robotRadius_m for MRPT's collision tests
-   *  @throws Error when MRPT does not take the configuration */
+  /** @throws Error when MRPT does not take the configuration */
   ReactivePlanner(const NavigatorParameters& parameters, const DwaParameters& dwa,
                   const RobotLimits& limits, const FootprintCover& cover,
                   const Footprint& footprint, double controlPeriod_s);
@@ -23,9 +22,6 @@ class ReactivePlanner : public LocalPlanner {
 
   const DwaResult& plan(const DwaInput& input, const CostGrid& costs) override;
   void reset() override;
-
-  /** MRPT's navigator, for its logs. */
-  PtgNavigation& navigation();
 
  private:
   class Robot;

@@ -30,9 +30,8 @@ class Surroundings {
    * spots are renewed only if the record's health is Ok. */
   void update(const SensorFrame& frame, CycleRecord& record);
 
-  /** The pipeline from depth to blind spots, as it was in the last cycle with depth. */
-  const DepthClusterDetector& depthClusters() const { return depthClusters_; }
-  /** The depth images that it was made of, in the robot frame of that cycle; empty without. */
+  /** The depth images that blind spots were found in, in the robot frame of that cycle; empty
+   * without. */
   const std::vector<const DepthFrame*>& depthFrames() const { return depthCameras_.frames(); }
   /** Who may step in the robot's way; null unless the guard is enabled. */
   const People* people() const { return people_ ? &*people_ : nullptr; }
@@ -51,7 +50,8 @@ class Surroundings {
   bool takeOverScans(const SensorFrame& frame, CycleRecord& record);
   void takeOverDepth(const SensorFrame& frame, CycleRecord& record);
   void resizeScans(std::size_t count);
-  void findPeople(const SensorFrame& frame, const CycleRecord& record);
+  void findPeople(const SensorFrame& frame, const CycleRecord& record,
+                  const std::vector<PlanarScan>& depthScans);
   void findBlindSpots(CycleRecord& record);
   const std::vector<BlindSpot>* newBlindSpots(double time_s);
 
