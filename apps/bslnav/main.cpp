@@ -36,8 +36,8 @@ int drive(const bslnav::CommonOptions& options) {
   }
   if (options.configs.empty())
     throw Error("CONFIG", "no configuration; expected bslnav CONFIG.ini, see --help");
-  return exitCodeOf(driveRecorded(setup, config, {options.seed, options.out, options.quiet},
-                                  availableEngines()));
+  return exitCodeOf(
+      driveRecorded(setup, config, {options.seed, options.out, options.quiet}, availableEngines()));
 }
 
 }  // namespace

@@ -54,6 +54,7 @@ class Results : public testing::Test {
 TEST_F(Results, AddUpByEntrant) {
   rows_[1].lapse_s = 0.3;
   rows_[3].timeEmpty_s = 21.0;
+  rows_[3].yardstick_s = 20.0;
   const auto results = resultsOf(rows_);
   ASSERT_EQ(results.size(), 2U);
   EXPECT_EQ(results[0].name(), "Method 1, dwa, both");
@@ -67,6 +68,8 @@ TEST_F(Results, AddUpByEntrant) {
   EXPECT_EQ(results[1].lapsed, 1);
   EXPECT_THAT(results[1].times_s, testing::ElementsAre(24.0, 26.0));
   EXPECT_THAT(results[1].emptyTimes_s, testing::ElementsAre(21.0));
+  EXPECT_THAT(results[1].toYardstick, testing::ElementsAre(21.0 / 20.0));
+  EXPECT_THAT(campaignTables(results), HasSubstr("- Method 5, dwa, both: 1.050 (1 openings)"));
   EXPECT_THAT(results[1].clearances_m, testing::ElementsAre(0.5, 0.5, 0.0));
   EXPECT_EQ(results[1].families.at("doors"), std::make_pair(1L, 0L));
 }

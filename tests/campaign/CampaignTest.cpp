@@ -48,6 +48,8 @@ TEST(Campaign, DrivesSomeEncountersWithNobodyThere) {
   ASSERT_TRUE(first.timeEmpty_s);
   EXPECT_GT(*first.timeEmpty_s, 7.0 / 0.4);  // 7.5 m at 0.4 m/s, the tolerance, and the start
   EXPECT_FALSE(runOne(campaign, 2).timeEmpty_s);
+  ASSERT_TRUE(first.yardstick_s);  // encounter 0 is one of a one-sided opening
+  EXPECT_GT(*first.timeEmpty_s, 0.9 * *first.yardstick_s);
 }
 
 TEST(Campaign, RowsDependNeitherOnJobsNorOnHowTheyAreSharedOutNorOnStopping) {

@@ -78,10 +78,10 @@ TEST_F(RowFiles, RefusesOtherFilesAndBadRows) {
   std::ofstream(path("other.csv")) << "a,b\n1,2\n";
   EXPECT_THAT(messageOf([&] { RowFile file(path("other.csv")); }), HasSubstr("other.csv"));
   std::ofstream(path("bad.csv")) << CampaignRow::csvHeader() << "\n1,doors,x,5,dwa,both,goal,0,0"
-                                 << ",,,,,1,1,0\n";
+                                 << ",,,,,,1,1,0\n";
   EXPECT_THAT(messageOf([&] { readRows(path("bad.csv")); }), HasSubstr("bad.csv row 1 seed"));
   std::ofstream(path("short.csv")) << CampaignRow::csvHeader() << "\n1,doors\n";
-  EXPECT_THAT(messageOf([&] { readRows(path("short.csv")); }), HasSubstr("16 columns"));
+  EXPECT_THAT(messageOf([&] { readRows(path("short.csv")); }), HasSubstr("17 columns"));
 }
 
 TEST_F(RowFiles, ShardsMergeIntoTheOrderOfOneProcess) {

@@ -68,6 +68,24 @@ TEST(MotionGuard, CreepsAfterAWhile) {
   EXPECT_NEAR(cycle(guard, 3.2, ahead(0.5), {}, {0.05, 0.0, 0.0}).motion.command.vx, 0.04, 1e-9);
 }
 
+/** Turning on the spot towards where it may creep, the robot does not begin to wait anew. */
+TEST(MotionGuard, TurningOnTheSpotIsNoReasonToWaitAgain) {
+  MotionGuard guard = motionGuard();
+  for (double t = 0.0; t < 3.05; t += 0.1) {
+    EXPECT_EQ(guard.isWaiting(), t > 0.05);
+    cycle(guard, t, ahead(0.5), {}, {0.04, 0.0, 0.0});
+  }
+  EXPECT_FALSE(guard.isWaiting());
+  for (double t = 3.1; t < 4.0; t += 0.1) {
+    CycleRecord record;
+    record.time_s = t;
+    guard.begin(record, ahead(0.5), t);
+    record.motion.command = {0.0, 0.0, 0.3};
+    guard.finish({}, ahead(0.5), record);
+  }
+  EXPECT_EQ(cycle(guard, 4.1, ahead(0.5), {}, {0.04, 0.0, 0.0}).motion.command.vx, 0.04);
+}
+
 TEST(MotionGuard, NeverCreepsWhenToldSo) {
   GuardParameters parameters;
   parameters.creepSpeed_mps = 0.0;

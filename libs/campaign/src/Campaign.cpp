@@ -4,6 +4,18 @@
 #include <algorithm>
 
 namespace bslnav {
+namespace {
+
+/** The least time that any planner takes with this robot, if people may be as fast as its guard
+ * expects. */
+std::optional<double> yardstickOf(const CornerPass& pass, const NavigationParameters& p) {
+  const StoppingAbility robot =
+      stoppingAbility(p.limits, p.guard, p.footprint.circumscribedRadius_m(), p.cycle.period_s);
+  return fastestPass_s(pass, robot, p.limits.acceleration_mps2, p.limits.maxSpeed_mps,
+                       p.guard.personSpeed_mps);
+}
+
+}  // namespace
 
 std::string Campaign::plan() const {
   std::string text = "campaign of seed " + std::to_string(seed) + ", nobody there in every " +
@@ -41,6 +53,7 @@ CampaignRow runOne(const Campaign& campaign, long run) {
   if (campaign.emptyEvery > 0 && row.encounter % campaign.emptyEvery == 0) {
     setup.world.pedestrians.clear();
     row.timeEmpty_s = runSimulation(setup, encounter.seed).timeToGoal_s;
+    if (encounter.pass) row.yardstick_s = yardstickOf(*encounter.pass, setup.navigation);
   }
   return row;
 }

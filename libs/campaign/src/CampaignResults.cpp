@@ -16,6 +16,8 @@ void add(EntrantResult& result, const CampaignRow& row) {
   result.standing_s += row.timeStopped_s;
   if (row.timeToGoal_s) result.times_s.push_back(*row.timeToGoal_s);
   if (row.timeEmpty_s) result.emptyTimes_s.push_back(*row.timeEmpty_s);
+  if (row.timeEmpty_s && row.yardstick_s)
+    result.toYardstick.push_back(*row.timeEmpty_s / *row.yardstick_s);
   if (row.minClearance_m) result.clearances_m.push_back(std::max(0.0, *row.minClearance_m));
   if (row.atFault && row.impactSpeed_mps) result.impacts_mps.push_back(*row.impactSpeed_mps);
   auto& family = result.families[row.family];

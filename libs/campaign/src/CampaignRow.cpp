@@ -9,10 +9,10 @@ namespace bslnav {
 namespace {
 
 constexpr std::array kColumns = {
-    "encounter",       "family",         "seed",         "method",        "engine",
-    "sensors",         "outcome",        "contact",      "at_fault",      "impact_speed_mps",
-    "min_clearance_m", "time_to_goal_s", "time_empty_s", "path_length_m", "time_stopped_s",
-    "lapse_s"};
+    "encounter",       "family",         "seed",         "method",      "engine",
+    "sensors",         "outcome",        "contact",      "at_fault",    "impact_speed_mps",
+    "min_clearance_m", "time_to_goal_s", "time_empty_s", "yardstick_s", "path_length_m",
+    "time_stopped_s",  "lapse_s"};
 
 std::string text(double value) {
   char digits[48];
@@ -103,6 +103,7 @@ std::string CampaignRow::csv() const {
                                            text(minClearance_m),
                                            text(timeToGoal_s),
                                            text(timeEmpty_s),
+                                           text(yardstick_s),
                                            text(pathLength_m),
                                            text(timeStopped_s),
                                            text(lapse_s)};
@@ -127,6 +128,7 @@ CampaignRow CampaignRow::fromCsv(const std::string& line, const std::string& whe
   row.minClearance_m = reader.maybe();
   row.timeToGoal_s = reader.maybe();
   row.timeEmpty_s = reader.maybe();
+  row.yardstick_s = reader.maybe();
   row.pathLength_m = reader.number<double>();
   row.timeStopped_s = reader.number<double>();
   row.lapse_s = reader.number<double>();

@@ -70,7 +70,17 @@ std::string campaignTables(const std::vector<EntrantResult>& results) {
       "[s] | with nobody there [s] | standing [s] | lapsed [%] |\n"
       "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
   for (const EntrantResult& result : results) table += line(result);
-  return table + "\nContacts, and in brackets those at fault, by family:\n\n" +
+  std::string yardstick;
+  for (const EntrantResult& r : results)
+    if (!r.toYardstick.empty())
+      yardstick += "- " + r.name() + ": " + meanCell(r.toYardstick, "%.3f") + " (" +
+                   std::to_string(r.toYardstick.size()) + " openings)\n";
+  if (!yardstick.empty())
+    yardstick =
+        "\nTime past a one-sided opening with nobody there, over the least that lets the "
+        "robot stand before whoever steps out:\n\n" +
+        yardstick;
+  return table + yardstick + "\nContacts, and in brackets those at fault, by family:\n\n" +
          familyTable(results);
 }
 
@@ -93,6 +103,8 @@ std::string campaignJson(const std::vector<EntrantResult>& results) {
     entry["time_to_goal_mean_s"] = meanInterval(r.times_s).mean;
     entry["time_to_goal_median_s"] = median(r.times_s);
     entry["time_empty_mean_s"] = meanInterval(r.emptyTimes_s).mean;
+    if (!r.toYardstick.empty())
+      entry["time_over_yardstick_mean"] = meanInterval(r.toYardstick).mean;
     entry["time_stopped_mean_s"] = r.standing_s / static_cast<double>(r.encounters);
     entry["lapsed_encounters"] = r.lapsed;
     entry["lapse_s"] = r.lapse_s;

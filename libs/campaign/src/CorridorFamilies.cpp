@@ -6,6 +6,7 @@
 namespace bslnav {
 namespace {
 
+constexpr double kGoal_m = 7.5;
 constexpr double kFromWall_m = 0.4;  // where people stand, from the middle of a wall
 
 /** Out of an opening in the right wall, across to the left wall: where the person ends. */
@@ -30,7 +31,15 @@ void buildOneSided(EncounterBuilder& builder) {
   plan.length_m = 9.0;
   builder.corridor(plan);
   personOutOf(builder, plan.rightOpenings.front(), plan.right_m, plan.left_m - kFromWall_m);
-  builder.encounter().goals = {{7.5, 0.0, 0.0}};
+  builder.encounter().goals = {{kGoal_m, 0.0, 0.0}};
+  const Opening& opening = plan.rightOpenings.front();
+  constexpr double kHalfWall_m = 0.05;  // walls are drawn by their middles
+  builder.encounter().pass = {plan.right_m - kHalfWall_m,
+                              plan.left_m - kHalfWall_m,
+                              opening.x_m - 0.5 * opening.width_m + kHalfWall_m,
+                              opening.x_m + 0.5 * opening.width_m - kHalfWall_m,
+                              opening.depth_m,
+                              kGoal_m};
 }
 
 void buildTwoSided(EncounterBuilder& builder) {
@@ -47,7 +56,7 @@ void buildTwoSided(EncounterBuilder& builder) {
   const Opening& left = plan.leftOpenings.front();
   personOutOf(builder, plan.rightOpenings.front(), plan.right_m,
               plan.left_m + left.depth_m - kFromWall_m);
-  builder.encounter().goals = {{7.5, 0.0, 0.0}};
+  builder.encounter().goals = {{kGoal_m, 0.0, 0.0}};
 }
 
 void buildCorner(EncounterBuilder& builder) {
@@ -91,7 +100,7 @@ void buildDoors(EncounterBuilder& builder) {
   if (dice.chance(0.5))
     personOutOf(builder, plan.rightOpenings[static_cast<std::size_t>((first + 1) % 3)],
                 plan.right_m, plan.left_m - kFromWall_m);
-  builder.encounter().goals = {{7.5, 0.0, 0.0}};
+  builder.encounter().goals = {{kGoal_m, 0.0, 0.0}};
 }
 
 }  // namespace bslnav

@@ -73,9 +73,11 @@ void MotionGuard::certify(const Frontier& frontier, CycleRecord& record) const {
 /** Lets the robot creep when it has stood for a while because nothing else was admissible, until
  * something is. */
 void MotionGuard::watchStanding(CycleRecord& record) {
+  const bool stands = magnitude(record.motion.command) < kStanding_mps;
+  if (refusedSince_s_ >= 0.0 && stands && !record.motion.planned) return;  // turns on the spot
   const bool refused =
       record.guard.lapse == GuardRecord::Lapse::Creeping ||
-      (magnitude(record.motion.command) < kStanding_mps && record.motion.planned &&
+      (stands && record.motion.planned &&
        (record.guard.capped ||
         std::any_of(record.dwa.candidates.begin(), record.dwa.candidates.end(),
                     [](const Candidate& c) { return c.verdict == Candidate::Verdict::Guarded; })));

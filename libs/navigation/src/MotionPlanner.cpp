@@ -10,6 +10,12 @@ namespace bslnav {
 
 using mrpt::math::TPoint2D;
 
+namespace {
+
+constexpr double kTurnToCreep_rad = 0.35;
+
+}  // namespace
+
 const char* nameOf(MotionMode mode) {
   static constexpr const char* kNames[] = {"idle",         "follow",         "rotate_to_path",
                                            "stop_at_goal", "rotate_to_goal", "back_off",
@@ -116,8 +122,10 @@ Motion MotionPlanner::follow(const Input& input, const CostGrid& costs) {
   const TPoint2D robot{input.mapFromRobot.x, input.mapFromRobot.y};
   const TPoint2D localGoal = pointAhead(input.path, robot, parameters_.lookahead_m);
   const double bearing = bearingTo(input.mapFromRobot, pointAhead(input.path, robot, 0.5));
-  if (isStanding(input.twist) && std::abs(bearing) > parameters_.rotateToPathAbove_rad)
-    turning_ = true;
+  // Who creeps gets nowhere on an arc.
+  const bool creeps = input.guard && input.guard->mayCreep();
+  const double turnAbove = creeps ? kTurnToCreep_rad : parameters_.rotateToPathAbove_rad;
+  if (isStanding(input.twist) && std::abs(bearing) > turnAbove) turning_ = true;
   if (std::abs(bearing) < 0.2) turning_ = false;
   if (turning_) {
     motion = rotate(MotionMode::RotateToPath, bearing, input, costs);

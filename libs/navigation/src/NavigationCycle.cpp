@@ -71,6 +71,7 @@ void NavigationCycle::move(const mrpt::math::TTwist2D& base) {
   const People* people = surroundings_.people();
   const Guard* guard =
       guard_ ? &guard_->begin(record_, people->frontier(), people->stamp_s()) : nullptr;
+  if (guard_ && guard_->isWaiting()) motionPlanner_.forgetProgress();
   if (people) movers_.begin(record_.mapFromRobot, people->movers());
   record_.motion = motionPlanner_.step(
       {record_.time_s, record_.mapFromRobot, record_.twist, base, record_.path, route_.goal(),

@@ -25,6 +25,7 @@ struct EntrantResult {
   std::vector<double> times_s, emptyTimes_s;  ///< to the goal; with nobody there
   std::vector<double> clearances_m;           ///< least to people, never negative
   std::vector<double> impacts_mps;            ///< the robot's speed in contacts at fault
+  std::vector<double> toYardstick;            ///< time with nobody there over the yardstick's
   double lapse_s = 0.0, standing_s = 0.0;     ///< sums
   std::map<std::string, std::pair<long, long>> families;  ///< contacts, and those at fault
 

@@ -20,6 +20,9 @@ struct CampaignRow {
   std::optional<double> impactSpeed_mps, minClearance_m, timeToGoal_s;
   std::optional<double>
       timeEmpty_s;  ///< to the goal with nobody there; none: not driven or not there
+  /** The least time that a pass of this opening takes with nobody there, standing before whoever
+   * steps out: fastestPass_s(); none: of another family, or not driven with nobody there. */
+  std::optional<double> yardstick_s;
   double pathLength_m = 0.0, timeStopped_s = 0.0;
   double lapse_s = 0.0;  ///< time in which the guard's promise did not hold
 

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <bslnav/campaign/Yardstick.h>
 #include <bslnav/config/ConfigSection.h>
 #include <bslnav/simulation/WorldParameters.h>
 #include <mrpt/math/TPose2D.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,6 +49,7 @@ struct Encounter {
   mrpt::math::TPose2D start;
   std::vector<mrpt::math::TPose2D> goals;
   double timeLimit_s = 90.0;
+  std::optional<CornerPass> pass;  ///< its plain geometry, of a one-sided opening; unmirrored
 };
 
 /** An encounter of a campaign: families take turns, everything else is drawn from the campaign's

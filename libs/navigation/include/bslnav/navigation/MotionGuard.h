@@ -29,6 +29,10 @@ class MotionGuard {
    *  @param frontier as in begin() */
   void finish(const mrpt::math::TTwist2D& base, const Frontier& frontier, CycleRecord& record);
 
+  /** Whether the robot stands because nothing is admissible, and may not creep yet: it waits, and
+   * recovery has no business. */
+  bool isWaiting() const { return refusedSince_s_ >= 0.0 && !creeping_; }
+
   /** The cycle saw nothing: its command brakes, and what it promises is not known. */
   void finishBlind(CycleRecord& record);
 

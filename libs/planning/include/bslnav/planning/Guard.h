@@ -71,6 +71,9 @@ class Guard {
   void begin(const mrpt::math::TPose2D& mapFromRobot, const Frontier& frontier, double age_s,
              bool mayCreep);
 
+  /** Whether the robot may creep now, as in begin(). */
+  bool mayCreep() const { return mayCreep_; }
+
   /** Whether a command may be sent. Its index is that of the frontier given to begin(). */
   bool admits(const mrpt::math::TTwist2D& command) const;
   GuardVerdict judge(const mrpt::math::TTwist2D& command) const;
