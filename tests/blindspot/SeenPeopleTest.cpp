@@ -43,14 +43,15 @@ TEST(SeenPeople, WhoWalksIsAMoverAndWhoStandsIsNone) {
   SeenPeople people({});
   for (int k = 0; k < 20; ++k) {
     const PlanarScan scan = discAt(2.0, 1.0 - 0.1 * k, 0.25);  // to the right, at 1 m/s
-    people.update({&scan}, 0.1 * k, {}, freeMap(), kWalk_mps);
-    if (k == 1) EXPECT_TRUE(people.movers().empty());  // too early to tell
+    people.update({{&scan}, {}, {}}, 0.1 * k, {}, freeMap(), kWalk_mps);
+    EXPECT_EQ(people.movers().empty(), k < 3) << k;  // before that it is too early to tell
   }
   ASSERT_EQ(people.movers().size(), 1u);
   EXPECT_NEAR(people.movers()[0].velocity.y, -1.0, 0.15);
   EXPECT_NEAR(people.movers()[0].position.y, -0.9, 0.15);
   const PlanarScan still = discAt(2.0, -0.9, 0.25);
-  for (int k = 20; k < 30; ++k) people.update({&still}, 0.1 * k, {}, freeMap(), kWalk_mps);
+  for (int k = 20; k < 30; ++k)
+    people.update({{&still}, {}, {}}, 0.1 * k, {}, freeMap(), kWalk_mps);
   EXPECT_TRUE(people.movers().empty());
 }
 
@@ -65,7 +66,7 @@ TEST(SeenPeople, WhoStandsAHandAwayFromSomethingWideIsStillAPerson) {
     if (!ofWide && person.beam[k] != PlanarScan::Beam::Hit) ranges.back() = test::kNone;
   }
   const PlanarScan both = test::scanOf(ranges);
-  for (int k = 0; k < 5; ++k) people.update({&both}, 0.1 * k, {}, freeMap(), kWalk_mps);
+  for (int k = 0; k < 5; ++k) people.update({{&both}, {}, {}}, 0.1 * k, {}, freeMap(), kWalk_mps);
   ASSERT_FALSE(people.frontier().empty());
   for (const auto& p : people.frontier()) EXPECT_LT(p.y_m, 0.1);
 }
@@ -78,6 +79,22 @@ TEST(SeenPeople, APoleThatStandsIsAnObstacle) {
   EXPECT_FALSE(people.frontier().empty());
   for (int k = 1; k <= 11; ++k) people.update({{&scan}, {}, {}}, 0.1 * k, {}, freeMap(), kWalk_mps);
   EXPECT_TRUE(people.frontier().empty());
+}
+
+/** Of a person behind a wall that ends at y = 0.12 a strip is seen, as narrow as a pole. */
+TEST(SeenPeople, WhomAWallHidesInPartMayWalkOffHoweverLongStanding) {
+  SeenPeople people({});
+  PlanarScan scan = discAt(2.0, 0.3, 0.25);
+  for (std::size_t k = 0; k < scan.beam.size(); ++k) {
+    const double a =
+        std::atan2(static_cast<double>(scan.sine[k]), static_cast<double>(scan.cosine[k]));
+    if (a < std::atan2(0.12, 1.0) || a > 1.2) continue;
+    scan.beam[k] = PlanarScan::Beam::Hit;
+    scan.range_m[k] = static_cast<float>(1.0 / std::cos(a));
+  }
+  for (int k = 0; k < 30; ++k) people.update({{&scan}, {}, {}}, 0.1 * k, {}, freeMap(), kWalk_mps);
+  ASSERT_FALSE(people.frontier().empty());
+  for (const auto& p : people.frontier()) EXPECT_GT(p.x_m, 1.5);
 }
 
 TEST(SeenPeople, AWideThingIsAnObstacleAtOnce) {

@@ -31,6 +31,14 @@ TPoint2D endOf(const PlanarScan& scan, std::size_t beam, const mrpt::math::TPose
       TPoint2D{sensor.x + range_m * scan.cosine[beam], sensor.y + range_m * scan.sine[beam]});
 }
 
+/** Whether the beam beside one (`side` -1 or 1) ends on something nearer: then what the one hits
+ * may go on behind that. */
+bool isCovered(const PlanarScan& scan, std::size_t beam, int side, double gap_m) {
+  const std::size_t beside = beam + static_cast<std::size_t>(side);  // below 0: beyond the end
+  return beside < scan.beam.size() && scan.beam[beside] == PlanarScan::Beam::Hit &&
+         scan.range_m[beside] < scan.range_m[beam] - gap_m;
+}
+
 }  // namespace
 
 void SeenPeopleParameters::describe(ConfigSection& section) {
@@ -93,7 +101,12 @@ void SeenPeople::findThings(const PlanarScan& scan, const mrpt::math::TPose2D& m
                             const CostGrid& solid) {
   const int reach = static_cast<int>(std::ceil(parameters_.mapTolerance_m / solid.getResolution()));
   const std::size_t others = things_.size();
-  std::size_t first = points_.size();
+  std::size_t first = points_.size(), firstBeam = 0, lastBeam = 0;
+  const auto add = [&] {
+    addThing(first, others,
+             isCovered(scan, firstBeam, -1, parameters_.clusterGap_m) ||
+                 isCovered(scan, lastBeam, 1, parameters_.clusterGap_m));
+  };
   for (std::size_t k = 0; k < scan.beam.size(); ++k) {
     if (scan.beam[k] != PlanarScan::Beam::Hit) continue;
     const TPoint2D p = endOf(scan, k, mapFromRobot);
@@ -102,16 +115,18 @@ void SeenPeople::findThings(const PlanarScan& scan, const mrpt::math::TPose2D& m
     const bool joined =
         points_.size() > first && (points_.back() - p).norm() <= parameters_.clusterGap_m;
     if (!joined) {
-      addThing(first, others);
+      add();
       first = points_.size();
+      firstBeam = k;
     }
     points_.push_back(p);
+    lastBeam = k;
   }
-  addThing(first, others);
+  add();
 }
 
 /** @param others so many things are of the scans before */
-void SeenPeople::addThing(std::size_t first, std::size_t others) {
+void SeenPeople::addThing(std::size_t first, std::size_t others, bool isCovered) {
   if (points_.size() == first) return;
   TPoint2D sum;
   double width = 0.0;
@@ -120,7 +135,8 @@ void SeenPeople::addThing(std::size_t first, std::size_t others) {
     width = std::max(width, (points_[i] - points_[first]).norm());
   }
   const auto count = points_.size() - first;
-  Thing thing{first,        count, sum * (1.0 / static_cast<double>(count)), width, std::nullopt,
+  Thing thing{first,        count,     sum * (1.0 / static_cast<double>(count)),
+              width,        isCovered, std::nullopt,
               std::nullopt, true};
   thing.another = findAnother(thing, others);
   things_.push_back(thing);
@@ -214,8 +230,8 @@ void SeenPeople::follow(Track& track, const Thing& thing, double stamp_s) const 
     track.isLow = false;
   }
   track.isLow = thing.isLow.value_or(track.isLow);
-  const bool asWideAsPeople =
-      track.width_m >= parameters_.narrowest_m && track.width_m <= parameters_.widest_m;
+  const bool asWideAsPeople = (track.width_m >= parameters_.narrowest_m || thing.isCovered) &&
+                              track.width_m <= parameters_.widest_m;
   const bool stands = stamp_s - track.stillSince_s >= parameters_.standing_s;
   const bool isWide = track.width_m > parameters_.widest_m;
   track.mayWalk = !track.isLow && (asWideAsPeople || (!isWide && (track.hasMoved || !stands)));

@@ -13,7 +13,7 @@
 namespace bslnav {
 
 struct SeenPeopleParameters {
-  double clusterGap_m = 0.15;   ///< hits this near are of one thing
+  double clusterGap_m = 0.1;    ///< hits this near are of one thing
   double mapTolerance_m = 0.2;  ///< a hit this near to an occupied cell of the map is the map's
   double narrowest_m = 0.35, widest_m = 0.9;  ///< of what may be a person
   double lowest_m = 0.8;                      ///< what a depth camera sees to be lower is none
@@ -39,11 +39,11 @@ struct Track {
 
 /** Tells people from obstacles among what the map does not explain.
  *
- * A thing as wide as a person may walk off at any time. What is narrower is an obstacle once it has
- * stood still for a while, unless it was seen to move; what is wider is one at once, as walls are
- * without a map. What depth cameras see whole and lower than people is an obstacle as long as it
- * stands. Hits are joined to things in the order of the beams, things to tracks by nearness, and
- * velocities are smoothed. */
+ * A thing as wide as a person may walk off at any time, and so may one that something nearer covers
+ * in part. What is narrower is an obstacle once it has stood still for a while, unless it was seen
+ * to move; what is wider is one at once, as walls are without a map. What depth cameras see whole
+ * and lower than people is an obstacle as long as it stands. Hits are joined to things in the order
+ * of the beams, things to tracks by nearness, and velocities are smoothed. */
 class SeenPeople {
  public:
   /** In one robot frame. Where several see the same thing, the first follows it. */
@@ -74,6 +74,7 @@ class SeenPeople {
     std::size_t first, count;  // of points_
     mrpt::math::TPoint2D middle;
     double width_m;
+    bool isCovered;                      // something nearer hides how far it goes on
     std::optional<bool> isLow;           // nullopt: not seen whole
     std::optional<std::size_t> another;  // the same thing in a scan before
     bool mayWalk;
@@ -87,7 +88,7 @@ class SeenPeople {
   void findThings(const PlanarScan& scan, const mrpt::math::TPose2D& mapFromRobot,
                   const CostGrid& solid);
   void findMovers(double stamp_s);
-  void addThing(std::size_t first, std::size_t others);
+  void addThing(std::size_t first, std::size_t others, bool isCovered);
   std::optional<std::size_t> findAnother(const Thing& thing, std::size_t others) const;
   void findTops(const std::vector<const PlanarScan*>& scans,
                 const mrpt::math::TPose2D& mapFromRobot);
