@@ -58,6 +58,7 @@ TEST_F(ExperimentApp, ComparesNavigators) {
 
 TEST_F(ExperimentApp, RefusesWhatItCannotRun) {
   EXPECT_EQ(compare({}).exitCode, 2);
+  EXPECT_EQ(run({"navigators", "--navigator", "ptg"}, "bslnav-experiment").exitCode, 2);
   EXPECT_EQ(compare({kS1, "--runs", "0"}).exitCode, 2);
   EXPECT_EQ(compare({kS1, "--method", "1"}).exitCode, 2);  // --methods is meant
   EXPECT_EQ(compare({kS1, "--methods", "1", "1"}).exitCode, 2);

@@ -43,7 +43,12 @@ void BitGrid::assign(const CostGrid& grid) {
 void BitGrid::copyTo(CostGrid& grid, Cost inside, Cost outside) const {
   for (int y = 0; y < height_; ++y) {
     Cost* cells = grid.row(y);
-    for (int x = 0; x < width_; ++x) cells[x] = at(x, y) ? inside : outside;
+    for (int word = 0; word < words_; ++word) {
+      const std::uint64_t bits = row(y)[word];
+      const int count = std::min(64, width_ - 64 * word);
+      for (int k = 0; k < count; ++k)
+        cells[64 * word + k] = ((bits >> k) & 1u) != 0 ? inside : outside;
+    }
   }
 }
 
