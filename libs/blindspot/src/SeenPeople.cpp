@@ -31,12 +31,12 @@ TPoint2D endOf(const PlanarScan& scan, std::size_t beam, const mrpt::math::TPose
       TPoint2D{sensor.x + range_m * scan.cosine[beam], sensor.y + range_m * scan.sine[beam]});
 }
 
-/** Whether the beam beside one (`side` -1 or 1) ends on something nearer: then what the one hits
- * may go on behind that. */
+/** Whether the beam beside one (`side` -1 or 1) ends on something nearer, or on what is next to it
+ * and counts as the map's: then what the one hits may go on there. */
 bool isCovered(const PlanarScan& scan, std::size_t beam, int side, double gap_m) {
   const std::size_t beside = beam + static_cast<std::size_t>(side);  // below 0: beyond the end
   return beside < scan.beam.size() && scan.beam[beside] == PlanarScan::Beam::Hit &&
-         scan.range_m[beside] < scan.range_m[beam] - gap_m;
+         scan.range_m[beside] < scan.range_m[beam] + gap_m;
 }
 
 }  // namespace
