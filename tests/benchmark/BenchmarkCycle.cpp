@@ -1,5 +1,6 @@
 #include <benchmark/benchmark.h>
 #include <bslnav/evaluation/SimulationRun.h>
+#include <bslnav/simulation/Simulator.h>
 
 #include <string>
 #include <vector>

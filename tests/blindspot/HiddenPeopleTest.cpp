@@ -50,6 +50,36 @@ TEST(HiddenPeople, NobodyIsInARoundRoom) {
   EXPECT_TRUE(hidden.frontier().empty());
 }
 
+/** A camera sees nothing nearer than 0.4 m. Between that and the robot, whose radius is 0.25 m,
+ * nobody has room. */
+TEST(HiddenPeople, NobodyIsBetweenTheRobotAndWhatItsCameraSees) {
+  constexpr double kNearest_m = 0.4;
+  std::vector<PlanarScan> sides;  // four that look along the sides of a square around the robot
+  for (const double side : {0.0, 0.5 * M_PI, M_PI, -0.5 * M_PI}) {
+    const std::vector<float> ranges(361, 2.5f);
+    sides.push_back(test::scanOf(ranges, M_PI,
+                                 {kNearest_m * std::cos(side), kNearest_m * std::sin(side), side}));
+  }
+  std::vector<const PlanarScan*> views;
+  for (const PlanarScan& scan : sides) views.push_back(&scan);
+  HiddenPeople hidden = people();
+  hidden.update(views, 0.0, {}, kWalk_mps);
+  EXPECT_GT(nearest(hidden.frontier()), 2.0);
+}
+
+/** Cameras off the robot's centre leave a strip between what they see and what is outside every
+ * view: nobody has room in it. */
+TEST(HiddenPeople, NobodyIsBesideTheViewOfCamerasOffTheCentre) {
+  const std::vector<float> ranges(181, 2.5f);
+  constexpr double kView_rad = 87.0 / 180.0 * M_PI, kAside_rad = 85.0 / 180.0 * M_PI;
+  const PlanarScan front = test::scanOf(ranges, kView_rad, {0.1, 0.0, 0.0});
+  const PlanarScan left = test::scanOf(ranges, kView_rad, {0.0, 0.1, kAside_rad});
+  const PlanarScan right = test::scanOf(ranges, kView_rad, {0.0, -0.1, -kAside_rad});
+  HiddenPeople hidden = people();
+  for (int k = 0; k < 20; ++k) hidden.update({&front, &left, &right}, 0.1 * k, {}, kWalk_mps);
+  EXPECT_GT(nearest(hidden.frontier()), 1.5);
+}
+
 /** The shadow of the wall begins at its end, (0.5, −1). Between the line of sight and the back of
  * the wall are 63.4 degrees, so the disc of a person that touches both has its centre 0.25 m /
  * sin(31.7°) = 0.475 m along the bisector, at (0.904, −1.25): the nearest body is at 1.29 m. */

@@ -113,8 +113,8 @@ void HiddenPeople::update(const std::vector<const PlanarScan*>& scans, double st
   grow(personSpeed_mps * elapsed_s);
   if (parameters_.outsideView == HiddenPeopleParameters::OutsideView::Free)
     forgetOutsideView(mapFromRobot);
-  keepWhereSomebodyFits();
   clearRobot(mapFromRobot);
+  keepWhereSomebodyFits();
   findFrontier(mapFromRobot);
 }
 
@@ -209,10 +209,13 @@ void HiddenPeople::forgetOutsideView(const mrpt::math::TPose2D& mapFromRobot) {
           static_cast<float>(possible_.idx2y(y) - mapFromRobot.y),
           static_cast<float>(parameters_.resolution_m), offset, possible_.width(),
           directions_.data(), squared_.data());
-    Cost* row = possible_.row(y);
+    Cost *row = possible_.row(y), *seen = seen_.row(y);
     for (int x = 0; x < possible_.width(); ++x) {
       const int direction = directions_[static_cast<std::size_t>(x)];
-      if (looksAway(lookedAt_s_[static_cast<std::size_t>(direction)])) row[x] = kNo;
+      if (!looksAway(lookedAt_s_[static_cast<std::size_t>(direction)])) continue;
+      row[x] = kNo;
+      seen[x] =
+          kYes;  // no room for somebody in the strip beside the view of a sensor off the centre
     }
   }
 }
@@ -242,7 +245,9 @@ void HiddenPeople::clearRobot(const mrpt::math::TPose2D& mapFromRobot) {
     for (int x = window.x0; x < window.x1; ++x) {
       const double dx = possible_.idx2x(x) - mapFromRobot.x;
       const double dy = possible_.idx2y(y) - mapFromRobot.y;
-      if (dx * dx + dy * dy <= bodyRadius_m_ * bodyRadius_m_) possible_.at(x, y) = kNo;
+      if (dx * dx + dy * dy > bodyRadius_m_ * bodyRadius_m_) continue;
+      possible_.at(x, y) = kNo;
+      seen_.at(x, y) = kYes;  // nobody fits between the robot and what is seen near it
     }
 }
 
