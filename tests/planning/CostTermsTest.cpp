@@ -42,9 +42,9 @@ TEST(CostTerms, PastTheGoalTheFasterRolloutIsTheCheaperOne) {
 }
 
 TEST(CostTerms, TheCostIsTheirWeightedSum) {
-  const CostWeights weights{2.0, 1.0, 10.0, 0.5, 253.0, 0.05};
+  const CostWeights weights{2.0, 1.0, 10.0, 0.5, 20.0, 253.0, 0.05};
   // 2 * 0.1 + 1 * 3 + 10 * 0.2 + 0.5 * 4
-  EXPECT_DOUBLE_EQ(weighted({0.1, 3.0, 0.2, 4.0}, weights), 7.2);
+  EXPECT_DOUBLE_EQ(weighted({0.1, 3.0, 0.2, 4.0, 0.5}, weights), 17.2);
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ TEST(DwaPlanner, AnswersTiesByTheFastestStraightCandidate) {
 
 TEST(DwaPlanner, RecordsTermsOfEveryCandidateAndTheirWeightedSum) {
   DwaParameters parameters = onePeriod();
-  parameters.weights = {2.0, 3.0, 5.0, 0.5, 253.0, 0.1};
+  parameters.weights = {2.0, 3.0, 5.0, 0.5, 0.0, 253.0, 0.1};
   auto dwa = planner(parameters);
   const auto path = test::straightPath(5.0);
   CostGrid grid = wallFrom(0.5, 100);
