@@ -97,12 +97,12 @@ TEST(SeenPeople, WhomAWallHidesInPartMayWalkOffHoweverLongStanding) {
   for (const auto& p : people.frontier()) EXPECT_GT(p.x_m, 1.5);
 }
 
-/** In a door of 0.9 m, what is within 0.2 m of its sides counts as the map's: too little is left to
+/** In a narrow door, what is within 0.1 m of its sides counts as the map's: too little is left to
  * tell how wide somebody is. */
 TEST(SeenPeople, WhoStandsInADoorMayWalkOffHoweverLongStanding) {
   SeenPeople people({});
   CostGrid map = freeMap();
-  for (const double y : {-0.4, 0.4})
+  for (const double y : {-0.3, 0.3})
     for (double x = 1.5; x < 3.0; x += 0.05) map.at(map.cellX(x), map.cellY(y)) = 255;
   const PlanarScan scan = discAt(2.0, 0.0, 0.25);
   for (int k = 0; k < 30; ++k) people.update({{&scan}, {}, {}}, 0.1 * k, {}, map, kWalk_mps);

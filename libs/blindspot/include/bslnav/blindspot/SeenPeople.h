@@ -14,7 +14,7 @@ namespace bslnav {
 
 struct SeenPeopleParameters {
   double clusterGap_m = 0.1;    ///< hits this near are of one thing
-  double mapTolerance_m = 0.2;  ///< a hit this near to an occupied cell of the map is the map's
+  double mapTolerance_m = 0.1;  ///< a hit this near to an occupied cell of the map is the map's
   double narrowest_m = 0.35, widest_m = 0.9;  ///< of what may be a person
   double lowest_m = 0.8;                      ///< what a depth camera sees to be lower is none
   double standing_s = 1.0;  ///< what is narrower and stands so long is an obstacle
