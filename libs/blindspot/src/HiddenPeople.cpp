@@ -62,6 +62,8 @@ void HiddenPeopleParameters::describe(ConfigSection& section) {
                  "fit");
   section.number("gap_m", gap_m, {0.0, 2.0}, "m",
                  "nobody comes out between two neighbouring hits nearer to each other");
+  section.number("map_tolerance_m", mapTolerance_m, kNonNegative, "m",
+                 "a hit this near to an occupied cell of the map is the map's");
   section.number("reach_m", reach_m, {1.0, 20.0}, "m",
                  "how far from the robot hidden people matter, to each side");
   section.number("resolution_m", resolution_m, {0.01, 0.5}, "m", "side of a cell");
@@ -83,6 +85,7 @@ HiddenPeople::HiddenPeople(const HiddenPeopleParameters& parameters, double body
       seen_(possible_),
       surface_(possible_),
       solid_(possible_),
+      mapped_(possible_),
       possibleBits_(possible_.width(), possible_.height()),
       blockedBits_(possibleBits_),
       workBits_(possibleBits_),
@@ -93,6 +96,7 @@ HiddenPeople::HiddenPeople(const HiddenPeopleParameters& parameters, double body
       squared_(possible_.getSizeX()),
       lookedAt_s_(ScanView::kDirections, std::numeric_limits<double>::lowest()) {
   fill(solid_, kNo);
+  fill(mapped_, kNo);
 }
 
 void HiddenPeople::update(const std::vector<const PlanarScan*>& scans, double stamp_s,
@@ -101,6 +105,7 @@ void HiddenPeople::update(const std::vector<const PlanarScan*>& scans, double st
   const double elapsed_s = started_ ? std::max(0.0, stamp_s - stamp_s_) : 0.0;
   stamp_s_ = started_ ? std::max(stamp_s, stamp_s_) : stamp_s;
   recentre(mapFromRobot);
+  standing_.follow(solid_);
   started_ = true;
   fill(seen_, kNo);
   fill(surface_, kNo);
@@ -110,6 +115,7 @@ void HiddenPeople::update(const std::vector<const PlanarScan*>& scans, double st
     look(view_, mapFromRobot);
     markSurfaces(view_, mapFromRobot);
   }
+  standing_.forget(seen_);
   grow(personSpeed_mps * elapsed_s);
   if (parameters_.outsideView == HiddenPeopleParameters::OutsideView::Free)
     forgetOutsideView(mapFromRobot);
@@ -123,15 +129,22 @@ void HiddenPeople::recentre(const mrpt::math::TPose2D& mapFromRobot) {
   const int dx = possible_.cellX(mapFromRobot.x) - half;
   const int dy = possible_.cellY(mapFromRobot.y) - half;
   if (dx == 0 && dy == 0 && started_) return;
-  for (CostGrid* grid : {&possible_, &seen_, &surface_, &solid_}) grid->shift(dx, dy, kYes);
+  for (CostGrid* grid : {&possible_, &seen_, &surface_, &solid_, &mapped_})
+    grid->shift(dx, dy, kYes);
   if (!static_) {
     fill(solid_, kNo);
+    fill(mapped_, kNo);
     return;
   }
   static_->copyTo(solid_, solid_.bounds());
   for (int y = 0; y < solid_.height(); ++y)
     for (int x = 0; x < solid_.width(); ++x)
       solid_.at(x, y) = solid_.at(x, y) == kLethalCost ? kYes : kNo;
+  workBits_.assign(solid_);
+  const int reach =
+      static_cast<int>(std::ceil(parameters_.mapTolerance_m / parameters_.resolution_m));
+  for (int k = 0; k < reach; ++k) workBits_.growSquare();
+  workBits_.copyTo(mapped_, kYes, kNo);
 }
 
 void HiddenPeople::look(const ScanView& view, const mrpt::math::TPose2D& mapFromRobot) {
@@ -170,7 +183,8 @@ void HiddenPeople::markSurfaces(const ScanView& view, const mrpt::math::TPose2D&
       const float px = piece.from.x + part * dx, py = piece.from.y + part * dy;
       const int x = static_cast<int>(std::floor(x0 + (c * px - s * py) / r));
       const int y = static_cast<int>(std::floor(y0 + (s * px + c * py) / r));
-      if (surface_.bounds().contains(x, y)) surface_.at(x, y) = kYes;
+      // Near walls of the map, the walls are in the way themselves, and a hit may be somebody's.
+      if (surface_.bounds().contains(x, y) && mapped_.at(x, y) == kNo) surface_.at(x, y) = kYes;
     }
   }
 }
@@ -181,6 +195,8 @@ void HiddenPeople::markSurfaces(const ScanView& view, const mrpt::math::TPose2D&
 void HiddenPeople::grow(double distance_m) {
   blockedBits_.assign(solid_);
   workBits_.assign(surface_);
+  blockedBits_.add(workBits_);
+  workBits_.assign(standing_.cells());
   blockedBits_.add(workBits_);
   possibleBits_.assign(possible_);
   possibleBits_.addBorder();

@@ -12,17 +12,8 @@ constexpr double kForget_s = 1.0;      // a track not seen for so long ends
 constexpr double kSmoothing = 0.4;     // part of a new velocity in the smoothed one
 constexpr double kKnown_s = 0.25;      // before that a velocity is not known
 constexpr double kWalking_mps = 0.35;  // slower, it may be the view of a thing that changes
+constexpr double kStraight_m = 0.04;   // hits of something straight lie so near to a line
 constexpr double kSlack_m = 0.3;       // of the visible middle between two scans, besides walking
-
-bool isNearSolid(const CostGrid& solid, const TPoint2D& p, int reach) {
-  const int x0 = solid.cellX(p.x), y0 = solid.cellY(p.y);
-  const CellWindow window =
-      CellWindow{x0, y0, x0 + 1, y0 + 1}.grown(reach).intersected(solid.bounds());
-  for (int y = window.y0; y < window.y1; ++y)
-    for (int x = window.x0; x < window.x1; ++x)
-      if (solid.at(x, y) != 0) return true;
-  return false;
-}
 
 TPoint2D endOf(const PlanarScan& scan, std::size_t beam, const mrpt::math::TPose2D& mapFromRobot) {
   const auto& sensor = scan.robotFromSensor();
@@ -31,54 +22,62 @@ TPoint2D endOf(const PlanarScan& scan, std::size_t beam, const mrpt::math::TPose
       TPoint2D{sensor.x + range_m * scan.cosine[beam], sensor.y + range_m * scan.sine[beam]});
 }
 
-/** Whether the beam beside one (`side` -1 or 1) ends on something nearer, or on what is next to it
- * and counts as the map's: then what the one hits may go on there. */
+/** Whether the beam beside one (`side` -1 or 1) ends on something nearer, or on what is next to it:
+ * then what the one hits may go on there, as it may at the edge of the view. */
 bool isCovered(const PlanarScan& scan, std::size_t beam, int side, double gap_m) {
-  const std::size_t beside = beam + static_cast<std::size_t>(side);  // below 0: beyond the end
-  return beside < scan.beam.size() && scan.beam[beside] == PlanarScan::Beam::Hit &&
-         scan.range_m[beside] < scan.range_m[beam] + gap_m;
+  const auto step = static_cast<std::size_t>(side);  // below 0: beyond the end
+  for (std::size_t k = beam + step; k < scan.beam.size(); k += step)
+    if (scan.beam[k] != PlanarScan::Beam::Dropped)
+      return scan.beam[k] == PlanarScan::Beam::Hit &&
+             scan.range_m[k] < scan.range_m[beam] + gap_m;
+  return true;
 }
 
 }  // namespace
 
 void SeenPeopleParameters::describe(ConfigSection& section) {
   section.number("cluster_gap_m", clusterGap_m, kPositive, "m", "hits this near are of one thing");
-  section.number("map_tolerance_m", mapTolerance_m, kNonNegative, "m",
-                 "a hit this near to an occupied cell of the map is the map's");
+  section.number("standing_tolerance_m", standingTolerance_m, kNonNegative, "m",
+                 "a hit this near to an obstacle that was seen to stand is of it");
   section.number("narrowest_m", narrowest_m, kNonNegative, "m",
                  "what is narrower and stands still is an obstacle, not a person");
   section.number("widest_m", widest_m, kPositive, "m",
                  "what is wider is an obstacle, not a person");
+  section.number("straight_m", straight_m, kPositive, "m",
+                 "what is straight over so much is an obstacle, not a person");
   section.number("lowest_m", lowest_m, kNonNegative, "m",
                  "what a depth camera sees whole and lower is an obstacle, not a person");
   section.number("standing_s", standing_s, kNonNegative, "s",
                  "so long has what is narrower than a person to stand still");
+  section.number("person_standing_s", personStanding_s, kNonNegative, "s",
+                 "past somebody who has stood so long, the robot may creep");
   section.number("still_within_m", stillWithin_m, kPositive, "m",
                  "the middle of what stands still stays within this distance and half its width");
 }
 
 void SeenPeople::update(const Views& views, double stamp_s, const mrpt::math::TPose2D& mapFromRobot,
-                        const CostGrid& solid, double personSpeed_mps) {
+                        const Place& place, double personSpeed_mps) {
   if (views.lasers.empty() && views.cameras.empty()) return;
   points_.clear();
   things_.clear();
+  obstacles_.clear();
   frontier_.clear();
-  for (const PlanarScan* scan : views.lasers) findThings(*scan, mapFromRobot, solid);
+  for (const PlanarScan* scan : views.lasers) findThings(*scan, mapFromRobot, place);
   findTops(views.obstacles, mapFromRobot);
   for (Thing& thing : things_) thing.isLow = isLow(thing);
-  for (const PlanarScan* scan : views.cameras) findThings(*scan, mapFromRobot, solid);
+  for (const PlanarScan* scan : views.cameras) findThings(*scan, mapFromRobot, place);
   for (Thing& thing : things_) {
-    if (thing.another) {
-      thing.mayWalk = things_[*thing.another].mayWalk;
-    } else {
-      Track& track = trackOf(thing, stamp_s, personSpeed_mps);
-      follow(track, thing, stamp_s);
-      thing.mayWalk = track.mayWalk;
-    }
+    judge(thing, stamp_s, personSpeed_mps);
     if (!thing.mayWalk) continue;
+    const auto kind = thing.stands ? FrontierPoint::Kind::Standing : FrontierPoint::Kind::Seen;
     for (std::size_t i = thing.first; i < thing.first + thing.count; ++i)
-      frontier_.push_back({static_cast<float>(points_[i].x), static_cast<float>(points_[i].y),
-                           FrontierPoint::Kind::Seen});
+      frontier_.push_back(
+          {static_cast<float>(points_[i].x), static_cast<float>(points_[i].y), kind});
+  }
+  for (std::size_t i = 0; i < obstacles_.size(); ++i) {
+    const TPoint2D& before = obstacles_[i == 0 ? 0 : i - 1];
+    const bool joined = (before - obstacles_[i]).norm() <= parameters_.clusterGap_m;
+    place.standing.add(joined ? before : obstacles_[i], obstacles_[i]);
   }
   tracks_.erase(
       std::remove_if(tracks_.begin(), tracks_.end(),
@@ -87,31 +86,51 @@ void SeenPeople::update(const Views& views, double stamp_s, const mrpt::math::TP
   findMovers(stamp_s);
 }
 
+void SeenPeople::judge(Thing& thing, double stamp_s, double personSpeed_mps) {
+  if (thing.another) {
+    thing.mayWalk = things_[*thing.another].mayWalk;
+    thing.stands = things_[*thing.another].stands;
+    return;
+  }
+  thing.mayWalk = !thing.isLow.value_or(false) && thing.width_m <= parameters_.widest_m;
+  if (thing.mayWalk) {
+    Track& track = trackOf(thing, stamp_s, personSpeed_mps);
+    follow(track, thing, stamp_s);
+    thing.mayWalk =
+        stamp_s - std::max(track.stillSince_s, track.thinSince_s) < parameters_.standing_s;
+    thing.stands = stamp_s - track.stillSince_s >= parameters_.personStanding_s;
+  }
+  if (thing.mayWalk) return;
+  for (std::size_t i = thing.first; i < thing.first + thing.count; ++i)
+    obstacles_.push_back(points_[i]);
+}
+
 void SeenPeople::findMovers(double stamp_s) {
   movers_.clear();
   for (const Track& track : tracks_) {
     const bool known = track.lastSeen_s - track.firstSeen_s >= kKnown_s;
-    if (!track.mayWalk || !known || track.velocity.norm() < kWalking_mps) continue;
+    if (!known || track.velocity.norm() < kWalking_mps) continue;
     const double unseen_s = stamp_s - track.lastSeen_s;
     movers_.push_back({track.position + track.velocity * unseen_s, track.velocity});
   }
 }
 
 void SeenPeople::findThings(const PlanarScan& scan, const mrpt::math::TPose2D& mapFromRobot,
-                            const CostGrid& solid) {
-  const int reach = static_cast<int>(std::ceil(parameters_.mapTolerance_m / solid.getResolution()));
+                            const Place& place) {
+  const CostGrid& mapped = place.mapped;
   const std::size_t others = things_.size();
   std::size_t first = points_.size(), firstBeam = 0, lastBeam = 0;
   const auto add = [&] {
-    addThing(first, others,
-             isCovered(scan, firstBeam, -1, parameters_.clusterGap_m) ||
-                 isCovered(scan, lastBeam, 1, parameters_.clusterGap_m));
+    if (points_.size() == first) return;
+    addThings(first, others, isCovered(scan, firstBeam, -1, parameters_.clusterGap_m),
+              isCovered(scan, lastBeam, 1, parameters_.clusterGap_m));
   };
   for (std::size_t k = 0; k < scan.beam.size(); ++k) {
     if (scan.beam[k] != PlanarScan::Beam::Hit) continue;
     const TPoint2D p = endOf(scan, k, mapFromRobot);
-    if (!solid.bounds().contains(solid.cellX(p.x), solid.cellY(p.y))) continue;
-    if (isNearSolid(solid, p, reach)) continue;
+    const int x = mapped.cellX(p.x), y = mapped.cellY(p.y);
+    if (!mapped.bounds().contains(x, y) || mapped.at(x, y) != 0) continue;
+    if (place.standing.isNear(p, parameters_.standingTolerance_m)) continue;
     const bool joined =
         points_.size() > first && (points_.back() - p).norm() <= parameters_.clusterGap_m;
     if (!joined) {
@@ -125,19 +144,68 @@ void SeenPeople::findThings(const PlanarScan& scan, const mrpt::math::TPose2D& m
   add();
 }
 
-/** @param others so many things are of the scans before */
-void SeenPeople::addThing(std::size_t first, std::size_t others, bool isCovered) {
-  if (points_.size() == first) return;
+/** Makes things of joined hits, from `first` on: what is straight is an obstacle, and so is what is
+ * wide and round; what lies between is a thing for itself.
+ *  @param others so many things are of the scans before */
+void SeenPeople::addThings(std::size_t first, std::size_t others, bool coveredBefore,
+                           bool coveredAfter) {
+  isStraight_.resize(points_.size());
+  std::fill(isStraight_.begin() + static_cast<std::ptrdiff_t>(first), isStraight_.end(), false);
+  findStraight(first, points_.size() - 1);
+  const auto begin = isStraight_.begin(), end = isStraight_.end();
+  if (std::find(begin + static_cast<std::ptrdiff_t>(first), end, true) == end) {
+    addThing(first, points_.size(), others, coveredBefore || coveredAfter);
+    return;
+  }
+  for (std::size_t i = first; i < points_.size();) {
+    if (isStraight_[i]) {
+      obstacles_.push_back(points_[i++]);
+      continue;
+    }
+    const std::size_t from = i;
+    while (i < points_.size() && !isStraight_[i]) ++i;
+    const bool covered = (from > first || coveredBefore) || (i < points_.size() || coveredAfter);
+    addThing(from, i, others, covered);
+  }
+}
+
+/** Notes the pieces between two hits that are too long and straight for a person: between the ends
+ * of a piece all hits are near its chord, else it is halved where one is farthest from it. */
+void SeenPeople::findStraight(std::size_t first, std::size_t last) {
+  const TPoint2D chord = points_[last] - points_[first];
+  const double length = chord.norm();
+  std::size_t farthest = first;
+  double most = kStraight_m;
+  double widest = length;  // a thing may come back to where it begins
+  for (std::size_t i = first + 1; i < last; ++i) {
+    const TPoint2D p = points_[i] - points_[first];
+    const double off = length > 1e-6 ? std::abs(chord.x * p.y - chord.y * p.x) / length : p.norm();
+    widest = std::max(widest, p.norm());
+    if (off <= most) continue;
+    most = off;
+    farthest = i;
+  }
+  if (widest < parameters_.straight_m) return;
+  if (farthest == first) {
+    if (length < parameters_.straight_m) return;
+    for (std::size_t i = first; i <= last; ++i) isStraight_[i] = true;
+    return;
+  }
+  findStraight(first, farthest);
+  findStraight(farthest, last);
+}
+
+void SeenPeople::addThing(std::size_t first, std::size_t end, std::size_t others, bool isCovered) {
   TPoint2D sum;
   double width = 0.0;
-  for (std::size_t i = first; i < points_.size(); ++i) {
+  for (std::size_t i = first; i < end; ++i) {
     sum += points_[i];
     width = std::max(width, (points_[i] - points_[first]).norm());
   }
-  const auto count = points_.size() - first;
+  const auto count = end - first;
   Thing thing{first,        count,     sum * (1.0 / static_cast<double>(count)),
               width,        isCovered, std::nullopt,
-              std::nullopt, true};
+              std::nullopt, true,      false};
   thing.another = findAnother(thing, others);
   things_.push_back(thing);
 }
@@ -207,7 +275,7 @@ Track& SeenPeople::trackOf(const Thing& thing, double stamp_s, double personSpee
   if (nearest) return *nearest;
   Track track;
   track.position = track.stoodAt = thing.middle;
-  track.firstSeen_s = track.lastSeen_s = track.stillSince_s = stamp_s;
+  track.firstSeen_s = track.lastSeen_s = track.stillSince_s = track.thinSince_s = stamp_s;
   tracks_.push_back(track);
   return tracks_.back();
 }
@@ -220,21 +288,13 @@ void SeenPeople::follow(Track& track, const Thing& thing, double stamp_s) const 
   }
   track.position = thing.middle;
   track.lastSeen_s = stamp_s;
-  track.width_m = std::max(track.width_m, thing.width_m);
   // What is seen of a thing from here and from there has its middle up to half a width away.
-  if ((thing.middle - track.stoodAt).norm() > parameters_.stillWithin_m + 0.5 * track.width_m) {
-    // The middle of what comes into view moves, too: only what stood whole can be seen to walk.
-    track.hasMoved = track.hasMoved || stamp_s - track.firstSeen_s > parameters_.standing_s;
-    track.stoodAt = thing.middle;
-    track.stillSince_s = stamp_s;
-    track.isLow = false;
-  }
-  track.isLow = thing.isLow.value_or(track.isLow);
-  const bool asWideAsPeople = (track.width_m >= parameters_.narrowest_m || thing.isCovered) &&
-                              track.width_m <= parameters_.widest_m;
-  const bool stands = stamp_s - track.stillSince_s >= parameters_.standing_s;
-  const bool isWide = track.width_m > parameters_.widest_m;
-  track.mayWalk = !track.isLow && (asWideAsPeople || (!isWide && (track.hasMoved || !stands)));
+  const double moved_m = (thing.middle - track.stoodAt).norm();
+  const bool mayBePerson = thing.isCovered || thing.width_m >= parameters_.narrowest_m;
+  if (mayBePerson) track.thinSince_s = stamp_s;
+  if (moved_m <= parameters_.stillWithin_m + 0.5 * thing.width_m) return;
+  track.stoodAt = thing.middle;
+  track.stillSince_s = stamp_s;
 }
 
 }  // namespace bslnav

@@ -4,6 +4,7 @@
 #include <bslnav/planning/PathDistance.h>
 #include <mrpt/math/wrap2pi.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace bslnav {
@@ -13,6 +14,7 @@ using mrpt::math::TPoint2D;
 namespace {
 
 constexpr double kTurnToCreep_rad = 0.35;
+constexpr double kCreepAhead_m = 0.3;  // who creeps heads for this point of the path
 
 }  // namespace
 
@@ -122,8 +124,8 @@ Motion MotionPlanner::follow(const Input& input, const CostGrid& costs) {
   const TPoint2D robot{input.mapFromRobot.x, input.mapFromRobot.y};
   const TPoint2D localGoal = pointAhead(input.path, robot, parameters_.lookahead_m);
   const double bearing = bearingTo(input.mapFromRobot, pointAhead(input.path, robot, 0.5));
-  // Who creeps gets nowhere on an arc.
-  const bool creeps = input.guard && input.guard->mayCreep();
+  const bool creeps =
+      input.guard && (input.guard->mayCreep() || input.guard->isBesideStanding());
   const double turnAbove = creeps ? kTurnToCreep_rad : parameters_.rotateToPathAbove_rad;
   if (isStanding(input.twist) && std::abs(bearing) > turnAbove) turning_ = true;
   if (std::abs(bearing) < 0.2) turning_ = false;
@@ -133,6 +135,7 @@ Motion MotionPlanner::follow(const Input& input, const CostGrid& costs) {
     if (!motion.blocked) return motion;
     turning_ = false;
   }
+  if (creeps) return creep(input, costs);
   const bool stops = input.passWithin_m == 0.0;
   const bool atEnd = (localGoal - input.path.back()).norm() < 1e-9;
   const double tolerance_m = stops ? parameters_.goalTolerance_m : input.passWithin_m;
@@ -144,6 +147,25 @@ Motion MotionPlanner::follow(const Input& input, const CostGrid& costs) {
   motion.localGoal = localGoal;
   motion.command = dwa_->command;
   motion.blocked = dwa_->status == DwaResult::Status::NoAdmissible;
+  return motion;
+}
+
+/** Keeps to the path: over the way of a few seconds, creeping candidates all but tie, and standing
+ * with them. */
+Motion MotionPlanner::creep(const Input& input, const CostGrid& costs) {
+  const TPoint2D robot{input.mapFromRobot.x, input.mapFromRobot.y};
+  const double speed = std::min(input.guard->parameters().creepSpeed_mps, limits_.maxSpeed_mps);
+  const double bearing =
+      bearingTo(input.mapFromRobot, pointAhead(input.path, robot, kCreepAhead_m));
+  const double turn =
+      std::clamp(bearing, -limits_.maxYawRate_radps, limits_.maxYawRate_radps);  // in a second
+  Motion motion;
+  motion.mode = MotionMode::Follow;
+  motion.localGoal = pointAhead(input.path, robot, parameters_.lookahead_m);
+  motion.blocked = !isFree(speed, turn, input, costs);
+  motion.command =
+      motion.blocked ? brake(input.commandBase, limits_, controlPeriod_s_)
+                     : limited({speed, 0.0, turn}, input.commandBase, limits_, controlPeriod_s_);
   return motion;
 }
 

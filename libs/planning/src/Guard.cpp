@@ -11,6 +11,7 @@ using mrpt::math::TPose2D;
 using mrpt::math::TTwist2D;
 
 constexpr double kStanding_mps = 1e-3;
+constexpr double kWorthwhile_mps = 0.1;  // slower than that, creeping is as good
 constexpr double kFinest_s = 0.005;  // of the steps along an arc
 
 /** The way of a command: an arc that is driven at a speed and then braked on. */
@@ -80,12 +81,14 @@ GuardVerdict guardVerdict(const TTwist2D& command, const TPose2D& mapFromRobot,
   const StoppingWay way(command, mapFromRobot, robot);
   constexpr double kStep_s = 1e-3;
   const int steps = static_cast<int>(std::ceil(way.duration_s() / kStep_s));
+  const bool creeps = way.speed_mps <= parameters.creepSpeed_mps + kStanding_mps;
   for (int k = 0; k <= steps; ++k) {
     const double t = std::min(k * kStep_s, way.duration_s());
     const TPoint2D centre = way.at(t);
     const double needed =
         robot.radius_m + parameters.personSpeed_mps * (t + age_s) + parameters.margin_m;
     for (std::size_t i = 0; i < frontier.size(); ++i) {
+      if (creeps && frontier[i].kind == FrontierPoint::Kind::Standing) continue;
       const double slack =
           std::hypot(frontier[i].x_m - centre.x, frontier[i].y_m - centre.y) - needed;
       if (slack <= 0.0) verdict.impact_mps = std::max(verdict.impact_mps, way.speedAt_mps(t));
@@ -117,29 +120,40 @@ void Guard::begin(const TPose2D& mapFromRobot, const Frontier& frontier, double 
   const StoppingWay fastest({1.1 * limits_.maxSpeed_mps + 0.1, 0.0, 0.0}, pose_, robot_);
   const double reach = fastest.length_m() + robot_.radius_m + parameters_.margin_m +
                        parameters_.personSpeed_mps * (fastest.duration_s() + age_s);
-  for (std::size_t i = 0; i < frontier.size(); ++i) {
-    const auto dx = static_cast<float>(frontier[i].x_m - pose_.x);
-    const auto dy = static_cast<float>(frontier[i].y_m - pose_.y);
-    if (dx * dx + dy * dy > reach * reach) continue;
-    x_m_.push_back(dx);
-    y_m_.push_back(dy);
-    index_.push_back(static_cast<int>(i));
+  for (const bool standing : {false, true}) {
+    for (std::size_t i = 0; i < frontier.size(); ++i) {
+      if ((frontier[i].kind == FrontierPoint::Kind::Standing) != standing) continue;
+      const auto dx = static_cast<float>(frontier[i].x_m - pose_.x);
+      const auto dy = static_cast<float>(frontier[i].y_m - pose_.y);
+      if (dx * dx + dy * dy > reach * reach) continue;
+      x_m_.push_back(dx);
+      y_m_.push_back(dy);
+      index_.push_back(static_cast<int>(i));
+    }
+    if (!standing) walking_ = x_m_.size();
   }
   pose_.x = pose_.y = 0.0;  // all is relative to the robot now, but for the heading
-  distanceNow_m_ = nearest(0.0f, 0.0f);
+  distanceNow_m_ = nearest(0.0f, 0.0f, x_m_.size());
 }
 
-float Guard::nearest(float x_m, float y_m, std::size_t* which) const {
+bool Guard::isBesideStanding() const {
+  const double needed = robot_.radius_m + parameters_.margin_m +
+                        parameters_.personSpeed_mps *
+                            (age_s_ + robot_.reaction_s + kWorthwhile_mps / robot_.deceleration_mps2);
+  return walking_ < x_m_.size() && distanceNow_m_ <= needed;
+}
+
+float Guard::nearest(float x_m, float y_m, std::size_t count, std::size_t* which) const {
   float least = static_cast<float>(kGuardReach_m * kGuardReach_m);
   if (!which) {
-    for (std::size_t i = 0; i < x_m_.size(); ++i) {
+    for (std::size_t i = 0; i < count; ++i) {
       const float dx = x_m_[i] - x_m, dy = y_m_[i] - y_m;
       const float squared = dx * dx + dy * dy;
       least = squared < least ? squared : least;
     }
     return std::sqrt(least);
   }
-  for (std::size_t i = 0; i < x_m_.size(); ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     const float dx = x_m_[i] - x_m, dy = y_m_[i] - y_m;
     const float squared = dx * dx + dy * dy;
     if (squared >= least) continue;
@@ -152,19 +166,21 @@ float Guard::nearest(float x_m, float y_m, std::size_t* which) const {
 bool Guard::admits(const TTwist2D& command) const {
   if (x_m_.empty() || isStanding(command)) return true;
   const StoppingWay way(command, pose_, robot_);
-  if (mayCreep_ && way.speed_mps <= parameters_.creepSpeed_mps + kStanding_mps) return true;
+  if (mayCreep_ && isCreep(way.speed_mps)) return true;
+  const std::size_t points = pointsFor(way.speed_mps);
   // What is left changes by no more than this a second: where much is left, much time is skipped.
   const double closing_mps = way.speed_mps + parameters_.personSpeed_mps;
   const double end_s = way.duration_s();
   const double needed =
       robot_.radius_m + parameters_.margin_m + parameters_.personSpeed_mps * age_s_;
-  double left = distanceNow_m_ - needed;
+  const float now_m = points == x_m_.size() ? distanceNow_m_ : nearest(0.0f, 0.0f, points);
+  double left = now_m - needed;
   for (double t = 0.0;;) {
     if (left <= 0.0) return false;
     if (t >= end_s) return true;
     t = std::min(end_s, t + std::max(kFinest_s, left / closing_mps));
     const TPoint2D centre = way.at(t);
-    left = nearest(static_cast<float>(centre.x), static_cast<float>(centre.y)) - needed -
+    left = nearest(static_cast<float>(centre.x), static_cast<float>(centre.y), points) - needed -
            parameters_.personSpeed_mps * t;
   }
 }
@@ -182,7 +198,9 @@ GuardVerdict Guard::judge(const TTwist2D& command) const {
     const TPoint2D centre = way.at(t);
     std::size_t which = 0;
     const double slack =
-        nearest(static_cast<float>(centre.x), static_cast<float>(centre.y), &which) - needed -
+        nearest(static_cast<float>(centre.x), static_cast<float>(centre.y),
+                pointsFor(way.speed_mps), &which) -
+        needed -
         parameters_.personSpeed_mps * (t + age_s_);
     if (slack <= 0.0) verdict.impact_mps = std::max(verdict.impact_mps, way.speedAt_mps(t));
     if (slack >= verdict.slack_m) continue;

@@ -9,7 +9,8 @@ namespace bslnav {
 struct FrontierPoint {
   enum class Kind : std::uint8_t {
     Hidden,  ///< the edge of a place where somebody may be whom no sensor sees
-    Seen     ///< somebody who is seen, and may walk off
+    Seen,    ///< somebody who is seen, and may walk off
+    Standing  ///< somebody who has been seen standing for a while
   };
   float x_m = 0.0f, y_m = 0.0f;
   Kind kind = Kind::Hidden;
@@ -18,7 +19,8 @@ using Frontier = std::vector<FrontierPoint>;
 
 /** The word for a kind in records and tables. */
 inline const char* nameOf(FrontierPoint::Kind kind) {
-  return kind == FrontierPoint::Kind::Hidden ? "hidden" : "seen";
+  constexpr const char* kNames[] = {"hidden", "seen", "standing"};
+  return kNames[static_cast<int>(kind)];
 }
 
 }  // namespace bslnav

@@ -3,6 +3,7 @@
 #include <bslnav/blindspot/BitGrid.h>
 #include <bslnav/blindspot/Frontier.h>
 #include <bslnav/blindspot/ScanView.h>
+#include <bslnav/blindspot/StandingThings.h>
 #include <bslnav/config/ConfigSection.h>
 #include <bslnav/costmap/CostGrid.h>
 #include <bslnav/costmap/StaticLayer.h>
@@ -22,6 +23,7 @@ struct HiddenPeopleParameters {
   };
   double radius_m = 0.25;  ///< r_p: of the smallest disc that a person covers
   double gap_m = 0.4;      ///< nobody comes out between two hits that are nearer to each other
+  double mapTolerance_m = 0.1;  ///< a hit this near to an occupied cell of the map is the map's
   double reach_m = 4.0;    ///< farther from the robot nobody matters
   double resolution_m = 0.05;
   double lookMemory_s = 0.5;  ///< a direction counts as looked at for so long
@@ -60,8 +62,10 @@ class HiddenPeople {
   double stamp_s() const { return stamp_s_; }
   /** 255 where somebody may be, else 0. */
   const CostGrid& possible() const { return possible_; }
-  /** 255 where the map is occupied, else 0. */
-  const CostGrid& solid() const { return solid_; }
+  /** 255 where a hit is the map's: near its occupied cells; else 0. */
+  const CostGrid& mapped() const { return mapped_; }
+  /** The obstacles that keep people from walking, where they are not in the map. */
+  StandingThings& standing() { return standing_; }
 
  private:
   void recentre(const mrpt::math::TPose2D& mapFromRobot);
@@ -79,8 +83,9 @@ class HiddenPeople {
   HiddenPeopleParameters parameters_;
   double bodyRadius_m_;
   std::optional<StaticLayer> static_;
-  CostGrid possible_, seen_, surface_, solid_;
-  BitGrid possibleBits_, blockedBits_, workBits_;  // blocked: by walls of the map or surfaces seen
+  CostGrid possible_, seen_, surface_, solid_, mapped_;
+  StandingThings standing_;
+  BitGrid possibleBits_, blockedBits_, workBits_;  // blocked: by walls and obstacles
   int personRadius_cells_;
   ScanView view_;
   std::vector<int> directions_;  // of the cells of a row

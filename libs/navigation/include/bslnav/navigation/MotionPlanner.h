@@ -78,6 +78,7 @@ class MotionPlanner {
 
  private:
   Motion follow(const Input& input, const CostGrid& costs);
+  Motion creep(const Input& input, const CostGrid& costs);
   Motion rotate(MotionMode mode, double error_rad, const Input& input, const CostGrid& costs);
   Motion backOff(const Input& input, const CostGrid& costs);
   Motion arrive(const Input& input, const CostGrid& costs);

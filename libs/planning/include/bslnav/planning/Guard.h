@@ -17,7 +17,7 @@ struct GuardParameters {
   double personSpeed_mps = 4.0 / 3.6;  ///< v_h: nobody walks faster
   double latency_s = 0.1;              ///< from a command to its effect, besides the period
   double margin_m = 0.08;  ///< noise of ranges and pose, half a cell of the grid of hidden people
-  double creepAfter_s = 3.0;     ///< standing so long with nothing admissible, the robot may creep
+  double creepAfter_s = 6.0;     ///< standing so long with nothing admissible, the robot may creep
   double creepSpeed_mps = 0.04;  ///< 0: it never does
 
   void describe(ConfigSection& section);
@@ -47,7 +47,8 @@ inline constexpr double kGuardReach_m = 10.0;
 
 /** The guard's condition as it is written (DESIGN of the guard): the robot drives the command for
  * the reaction time and then brakes along the same arc; at every time until it stands, every
- * frontier point must be farther from its centre than radius + v_h·t + margin.
+ * frontier point must be farther from its centre than radius + v_h·t + margin. Who has stood for a
+ * while is an obstacle for a robot that creeps, and binds none.
  *
  * Pure and plain: for people with their own planner, and the oracle of Guard. Steps of 1 ms.
  *  @param command robot frame; the robot stands when (vx, vy) is zero
@@ -73,6 +74,8 @@ class Guard {
 
   /** Whether the robot may creep now, as in begin(). */
   bool mayCreep() const { return mayCreep_; }
+  /** Whether somebody stands so near that hardly more than creeping is admissible. */
+  bool isBesideStanding() const;
 
   /** Whether a command may be sent. Its index is that of the frontier given to begin(). */
   bool admits(const mrpt::math::TTwist2D& command) const;
@@ -93,7 +96,14 @@ class Guard {
                               const mrpt::math::TTwist2D& slowest) const;
 
  private:
-  float nearest(float x_m, float y_m, std::size_t* which = nullptr) const;
+  bool isCreep(double speed_mps) const {
+    return speed_mps <= parameters_.creepSpeed_mps + 1e-3;
+  }
+  /** Points that a speed has to mind are the first so many. */
+  std::size_t pointsFor(double speed_mps) const {
+    return isCreep(speed_mps) ? walking_ : x_m_.size();
+  }
+  float nearest(float x_m, float y_m, std::size_t count, std::size_t* which = nullptr) const;
 
   GuardParameters parameters_;
   RobotLimits limits_;
@@ -104,6 +114,7 @@ class Guard {
   bool mayCreep_ = false;
   std::vector<float> x_m_, y_m_;
   std::vector<int> index_;
+  std::size_t walking_ = 0;  // so many of the points are not Standing; they come first
   float distanceNow_m_ = 0.0f;
 };
 
