@@ -189,7 +189,7 @@ void HiddenPeople::markSurfaces(const ScanView& view, const mrpt::math::TPose2D&
   }
 }
 
-/** People walk on, through everything but walls, and may come in at the edge of the grid. Cells are
+/** People walk on, through everything but walls and obstacles, and may come in at the edge of the grid. Cells are
  * taken before they are reached, never after; steps along four and eight neighbours take turns,
  * whose octagon holds the circle. */
 void HiddenPeople::grow(double distance_m) {
@@ -198,6 +198,10 @@ void HiddenPeople::grow(double distance_m) {
   blockedBits_.add(workBits_);
   workBits_.assign(standing_.cells());
   blockedBits_.add(workBits_);
+  // Nor does anybody slip through a gap that is too narrow for a person.
+  blockedBits_.invert();
+  blockedBits_.openDisc(personRadius_cells_);
+  blockedBits_.invert();
   possibleBits_.assign(possible_);
   possibleBits_.addBorder();
   owed_m_ += distance_m;

@@ -12,7 +12,7 @@ constexpr double kForget_s = 1.0;      // a track not seen for so long ends
 constexpr double kSmoothing = 0.4;     // part of a new velocity in the smoothed one
 constexpr double kKnown_s = 0.25;      // before that a velocity is not known
 constexpr double kWalking_mps = 0.35;  // slower, it may be the view of a thing that changes
-constexpr double kStraight_m = 0.04;   // hits of something straight lie so near to a line
+constexpr double kStraight_m = 0.03;   // hits of something straight lie so near to a line
 constexpr double kSlack_m = 0.3;       // of the visible middle between two scans, besides walking
 
 TPoint2D endOf(const PlanarScan& scan, std::size_t beam, const mrpt::math::TPose2D& mapFromRobot) {
@@ -42,7 +42,7 @@ void SeenPeopleParameters::describe(ConfigSection& section) {
   section.number("narrowest_m", narrowest_m, kNonNegative, "m",
                  "what is narrower and stands still is an obstacle, not a person");
   section.number("widest_m", widest_m, kPositive, "m",
-                 "what is wider is an obstacle, not a person");
+                 "what is wider is an obstacle, not people side by side");
   section.number("straight_m", straight_m, kPositive, "m",
                  "what is straight over so much is an obstacle, not a person");
   section.number("lowest_m", lowest_m, kNonNegative, "m",
@@ -59,6 +59,7 @@ void SeenPeople::update(const Views& views, double stamp_s, const mrpt::math::TP
                         const Place& place, double personSpeed_mps) {
   if (views.lasers.empty() && views.cameras.empty()) return;
   points_.clear();
+  is_.clear();
   things_.clear();
   obstacles_.clear();
   frontier_.clear();
@@ -117,7 +118,6 @@ void SeenPeople::findMovers(double stamp_s) {
 
 void SeenPeople::findThings(const PlanarScan& scan, const mrpt::math::TPose2D& mapFromRobot,
                             const Place& place) {
-  const CostGrid& mapped = place.mapped;
   const std::size_t others = things_.size();
   std::size_t first = points_.size(), firstBeam = 0, lastBeam = 0;
   const auto add = [&] {
@@ -128,9 +128,8 @@ void SeenPeople::findThings(const PlanarScan& scan, const mrpt::math::TPose2D& m
   for (std::size_t k = 0; k < scan.beam.size(); ++k) {
     if (scan.beam[k] != PlanarScan::Beam::Hit) continue;
     const TPoint2D p = endOf(scan, k, mapFromRobot);
-    const int x = mapped.cellX(p.x), y = mapped.cellY(p.y);
-    if (!mapped.bounds().contains(x, y) || mapped.at(x, y) != 0) continue;
-    if (place.standing.isNear(p, parameters_.standingTolerance_m)) continue;
+    const int x = place.mapped.cellX(p.x), y = place.mapped.cellY(p.y);
+    if (!place.mapped.bounds().contains(x, y)) continue;
     const bool joined =
         points_.size() > first && (points_.back() - p).norm() <= parameters_.clusterGap_m;
     if (!joined) {
@@ -139,32 +138,29 @@ void SeenPeople::findThings(const PlanarScan& scan, const mrpt::math::TPose2D& m
       firstBeam = k;
     }
     points_.push_back(p);
+    const bool mapped = place.mapped.at(x, y) != 0;
+    const bool stands = mapped || place.standing.isNear(p, parameters_.standingTolerance_m);
+    is_.push_back(mapped ? Is::Mapped : stands ? Is::Standing : Is::New);
     lastBeam = k;
   }
   add();
 }
 
-/** Makes things of joined hits, from `first` on: what is straight is an obstacle, and so is what is
- * wide and round; what lies between is a thing for itself.
+/** Makes things of joined hits, from `first` on: what is straight is an obstacle, and each run of
+ * hits that nothing explains is a thing for itself.
  *  @param others so many things are of the scans before */
 void SeenPeople::addThings(std::size_t first, std::size_t others, bool coveredBefore,
                            bool coveredAfter) {
-  isStraight_.resize(points_.size());
-  std::fill(isStraight_.begin() + static_cast<std::ptrdiff_t>(first), isStraight_.end(), false);
   findStraight(first, points_.size() - 1);
-  const auto begin = isStraight_.begin(), end = isStraight_.end();
-  if (std::find(begin + static_cast<std::ptrdiff_t>(first), end, true) == end) {
-    addThing(first, points_.size(), others, coveredBefore || coveredAfter);
-    return;
-  }
   for (std::size_t i = first; i < points_.size();) {
-    if (isStraight_[i]) {
-      obstacles_.push_back(points_[i++]);
+    if (is_[i] == Is::Straight) obstacles_.push_back(points_[i]);
+    if (is_[i] != Is::New) {
+      ++i;
       continue;
     }
     const std::size_t from = i;
-    while (i < points_.size() && !isStraight_[i]) ++i;
-    const bool covered = (from > first || coveredBefore) || (i < points_.size() || coveredAfter);
+    while (i < points_.size() && is_[i] == Is::New) ++i;
+    const bool covered = from > first || coveredBefore || i < points_.size() || coveredAfter;
     addThing(from, i, others, covered);
   }
 }
@@ -188,7 +184,8 @@ void SeenPeople::findStraight(std::size_t first, std::size_t last) {
   if (widest < parameters_.straight_m) return;
   if (farthest == first) {
     if (length < parameters_.straight_m) return;
-    for (std::size_t i = first; i <= last; ++i) isStraight_[i] = true;
+    for (std::size_t i = first; i <= last; ++i)
+      if (is_[i] != Is::Mapped) is_[i] = Is::Straight;
     return;
   }
   findStraight(first, farthest);

@@ -63,7 +63,8 @@ void MotionGuard::certify(const Frontier& frontier, CycleRecord& record) const {
   for (const FrontierPoint& p : frontier)
     ++(p.kind == FrontierPoint::Kind::Hidden ? g.hidden : g.seen);
   if (verdict.binding >= 0) g.binding = frontier[static_cast<std::size_t>(verdict.binding)];
-  if (verdict.slack_m > 0.0 || speed < kStanding_mps) return;
+  const double enough_m = -std::min(guard_.parameters().noise_m, guard_.parameters().margin_m);
+  if (verdict.slack_m > enough_m || speed < kStanding_mps) return;
   g.impact_mps = verdict.impact_mps;
   g.lapse = creeping_ && speed <= guard_.parameters().creepSpeed_mps + 1e-3
                 ? GuardRecord::Lapse::Creeping

@@ -163,6 +163,7 @@ Motion MotionPlanner::creep(const Input& input, const CostGrid& costs) {
   motion.mode = MotionMode::Follow;
   motion.localGoal = pointAhead(input.path, robot, parameters_.lookahead_m);
   motion.blocked = !isFree(speed, turn, input, costs);
+  if (!motion.blocked) recovery_.reset();  // slow, but not stuck
   motion.command =
       motion.blocked ? brake(input.commandBase, limits_, controlPeriod_s_)
                      : limited({speed, 0.0, turn}, input.commandBase, limits_, controlPeriod_s_);

@@ -60,6 +60,9 @@ void GuardParameters::describe(ConfigSection& section) {
                  "from a command to its effect, besides the control period");
   section.number("margin_m", margin_m, {0.0, 2.0}, "m",
                  "for noise of ranges and pose, and half a cell of the grid of hidden people");
+  section.number("noise_m", noise_m, {0.0, 2.0}, "m",
+                 "so much of the margin may be used up, by ranges that are not exact, before the "
+                 "record says that the guarantee lapsed");
   section.number("creep_after_s", creepAfter_s, kNonNegative, "s",
                  "standing so long with nothing admissible, the robot may creep; the record says "
                  "that the guarantee lapsed");
@@ -120,9 +123,10 @@ void Guard::begin(const TPose2D& mapFromRobot, const Frontier& frontier, double 
   const StoppingWay fastest({1.1 * limits_.maxSpeed_mps + 0.1, 0.0, 0.0}, pose_, robot_);
   const double reach = fastest.length_m() + robot_.radius_m + parameters_.margin_m +
                        parameters_.personSpeed_mps * (fastest.duration_s() + age_s);
-  for (const bool standing : {false, true}) {
+  using Kind = FrontierPoint::Kind;
+  for (const Kind kind : {Kind::Seen, Kind::Hidden, Kind::Standing}) {
     for (std::size_t i = 0; i < frontier.size(); ++i) {
-      if ((frontier[i].kind == FrontierPoint::Kind::Standing) != standing) continue;
+      if (frontier[i].kind != kind) continue;
       const auto dx = static_cast<float>(frontier[i].x_m - pose_.x);
       const auto dy = static_cast<float>(frontier[i].y_m - pose_.y);
       if (dx * dx + dy * dy > reach * reach) continue;
@@ -130,7 +134,8 @@ void Guard::begin(const TPose2D& mapFromRobot, const Frontier& frontier, double 
       y_m_.push_back(dy);
       index_.push_back(static_cast<int>(i));
     }
-    if (!standing) walking_ = x_m_.size();
+    if (kind == Kind::Seen) seen_ = x_m_.size();
+    if (kind == Kind::Hidden) walking_ = x_m_.size();
   }
   pose_.x = pose_.y = 0.0;  // all is relative to the robot now, but for the heading
   distanceNow_m_ = nearest(0.0f, 0.0f, x_m_.size());
@@ -166,8 +171,7 @@ float Guard::nearest(float x_m, float y_m, std::size_t count, std::size_t* which
 bool Guard::admits(const TTwist2D& command) const {
   if (x_m_.empty() || isStanding(command)) return true;
   const StoppingWay way(command, pose_, robot_);
-  if (mayCreep_ && isCreep(way.speed_mps)) return true;
-  const std::size_t points = pointsFor(way.speed_mps);
+  const std::size_t points = refusing(way.speed_mps);
   // What is left changes by no more than this a second: where much is left, much time is skipped.
   const double closing_mps = way.speed_mps + parameters_.personSpeed_mps;
   const double end_s = way.duration_s();
@@ -199,7 +203,7 @@ GuardVerdict Guard::judge(const TTwist2D& command) const {
     std::size_t which = 0;
     const double slack =
         nearest(static_cast<float>(centre.x), static_cast<float>(centre.y),
-                pointsFor(way.speed_mps), &which) -
+                promised(way.speed_mps), &which) -
         needed -
         parameters_.personSpeed_mps * (t + age_s_);
     if (slack <= 0.0) verdict.impact_mps = std::max(verdict.impact_mps, way.speedAt_mps(t));

@@ -8,6 +8,7 @@
 #include <bslnav/costmap/PlanarScan.h>
 #include <mrpt/math/TPose2D.h>
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -16,8 +17,8 @@ namespace bslnav {
 struct SeenPeopleParameters {
   double clusterGap_m = 0.1;    ///< hits this near are of one thing
   double standingTolerance_m = 0.1;  ///< a hit this near to an obstacle that stands is of it
-  double narrowest_m = 0.35, widest_m = 0.9;  ///< of what may be a person
-  double straight_m = 0.4;  ///< what is straight over so much is none
+  double narrowest_m = 0.35, widest_m = 1.5;  ///< of what may be people
+  double straight_m = 0.33;  ///< what is straight over so much is none
   double lowest_m = 0.8;                      ///< what a depth camera sees to be lower is none
   double standing_s = 1.0;  ///< what is narrower and stands so long is an obstacle
   double personStanding_s = 3.0;  ///< a person who stands so long is Standing
@@ -86,6 +87,7 @@ class SeenPeople {
     std::optional<std::size_t> another;  // the same thing in a scan before
     bool mayWalk, stands;
   };
+  enum class Is : std::uint8_t { New, Mapped, Standing, Straight };  // what explains a hit
   struct Top {  // of a hit with a height
     mrpt::math::TPoint2D at;
     double height_m;
@@ -108,7 +110,7 @@ class SeenPeople {
 
   SeenPeopleParameters parameters_;
   std::vector<mrpt::math::TPoint2D> points_;
-  std::vector<bool> isStraight_;                  // of points_
+  std::vector<Is> is_;                            // of points_
   std::vector<mrpt::math::TPoint2D> obstacles_;   // seen now, along them
   std::vector<Top> tops_;
   std::vector<Thing> things_;

@@ -17,6 +17,7 @@ struct GuardParameters {
   double personSpeed_mps = 4.0 / 3.6;  ///< v_h: nobody walks faster
   double latency_s = 0.1;              ///< from a command to its effect, besides the period
   double margin_m = 0.08;  ///< noise of ranges and pose, half a cell of the grid of hidden people
+  double noise_m = 0.04;    ///< so much of the margin may noise use up without a lapse
   double creepAfter_s = 6.0;     ///< standing so long with nothing admissible, the robot may creep
   double creepSpeed_mps = 0.04;  ///< 0: it never does
 
@@ -68,7 +69,7 @@ class Guard {
   const StoppingAbility& robot() const { return robot_; }
 
   /** Takes over the situation of a cycle; keeps those frontier points that can matter.
-   *  @param mayCreep admits every velocity up to the creeping speed */
+   *  @param mayCreep up to the creeping speed, only those who are seen walking bind */
   void begin(const mrpt::math::TPose2D& mapFromRobot, const Frontier& frontier, double age_s,
              bool mayCreep);
 
@@ -99,9 +100,13 @@ class Guard {
   bool isCreep(double speed_mps) const {
     return speed_mps <= parameters_.creepSpeed_mps + 1e-3;
   }
-  /** Points that a speed has to mind are the first so many. */
-  std::size_t pointsFor(double speed_mps) const {
+  /** Points that the promise at a speed minds, and those that may refuse it, are the first so many.
+   */
+  std::size_t promised(double speed_mps) const {
     return isCreep(speed_mps) ? walking_ : x_m_.size();
+  }
+  std::size_t refusing(double speed_mps) const {
+    return mayCreep_ && isCreep(speed_mps) ? seen_ : promised(speed_mps);
   }
   float nearest(float x_m, float y_m, std::size_t count, std::size_t* which = nullptr) const;
 
@@ -114,7 +119,7 @@ class Guard {
   bool mayCreep_ = false;
   std::vector<float> x_m_, y_m_;
   std::vector<int> index_;
-  std::size_t walking_ = 0;  // so many of the points are not Standing; they come first
+  std::size_t seen_ = 0, walking_ = 0;  // the first points are Seen, the next Hidden
   float distanceNow_m_ = 0.0f;
 };
 
