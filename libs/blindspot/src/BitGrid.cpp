@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace bslnav {
 namespace {
@@ -16,6 +17,15 @@ std::uint64_t movedDown(const std::uint64_t* row, int word, int words, int by) {
   const int whole = by / 64, part = by % 64, from = word + whole;
   const std::uint64_t low = from < words ? row[from] >> part : 0;
   return part != 0 && from + 1 < words ? low | row[from + 1] << (64 - part) : low;
+}
+
+/** A bit each for eight cells, the lowest for the first: whether it is not 0. */
+std::uint8_t nonZeroOf(const Cost* cells) {
+  constexpr std::uint64_t kLow7 = 0x7f7f7f7f7f7f7f7f, kTops = 0x8080808080808080;
+  std::uint64_t eight;
+  std::memcpy(&eight, cells, sizeof(eight));  // little-endian, as Debian's machines with MRPT are
+  const std::uint64_t tops = (((eight & kLow7) + kLow7) | eight) & kTops;
+  return static_cast<std::uint8_t>(((tops >> 7) * 0x0102040810204080) >> 56);
 }
 
 }  // namespace
@@ -34,7 +44,9 @@ void BitGrid::assign(const CostGrid& grid) {
     for (int word = 0; word < words_; ++word) {
       const int count = std::min(64, width_ - 64 * word);
       std::uint64_t bits = 0;
-      for (int k = 0; k < count; ++k) bits |= std::uint64_t{cells[64 * word + k] != 0} << k;
+      int k = 0;
+      for (; k + 8 <= count; k += 8) bits |= std::uint64_t{nonZeroOf(cells + 64 * word + k)} << k;
+      for (; k < count; ++k) bits |= std::uint64_t{cells[64 * word + k] != 0} << k;
       row(y)[word] = bits;
     }
   }
@@ -45,9 +57,13 @@ void BitGrid::copyTo(CostGrid& grid, Cost inside, Cost outside) const {
     Cost* cells = grid.row(y);
     for (int word = 0; word < words_; ++word) {
       const std::uint64_t bits = row(y)[word];
+      Cost* to = cells + 64 * word;
       const int count = std::min(64, width_ - 64 * word);
-      for (int k = 0; k < count; ++k)
-        cells[64 * word + k] = ((bits >> k) & 1u) != 0 ? inside : outside;
+      if (bits == 0) {
+        std::fill(to, to + count, outside);
+        continue;
+      }
+      for (int k = 0; k < count; ++k) to[k] = ((bits >> k) & 1u) != 0 ? inside : outside;
     }
   }
 }
