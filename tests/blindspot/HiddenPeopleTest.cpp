@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <vector>
 
 #include "ScanFixture.h"
 
@@ -163,6 +164,47 @@ TEST(HiddenPeople, NobodyIsInsideWalls) {
   HiddenPeople hidden = people({}, map);
   hidden.update({&scan}, 0.0, {}, kWalk_mps);
   EXPECT_TRUE(hidden.frontier().empty());
+}
+
+/** A board of 0.6 m hides somebody. Seen edge-on, it is still in the way: who stands behind it does
+ * not come through. */
+TEST(HiddenPeople, DoNotWalkThroughWhatWasSeenToStand) {
+  for (const bool remembered : {true, false}) {
+    HiddenPeople hidden = people();
+    const auto board = [](double angle) {
+      const double range = 1.0 / std::cos(angle);
+      return std::abs(angle) < 1.0 && std::abs(range * std::sin(angle)) < 0.8 ? range : 3.0;
+    };
+    const PlanarScan front = around(board);
+    hidden.update({&front}, 0.0, {}, kWalk_mps);
+    if (remembered) hidden.standing().add({1.0, -0.8}, {1.0, 0.8});
+    // From then on nothing is seen ahead.
+    std::vector<float> ranges(720, 3.0f);
+    for (int i = 360 - 80; i < 360 + 80; ++i) ranges[static_cast<std::size_t>(i)] = test::kLost;
+    const PlanarScan beside = test::scanOf(ranges, 2.0 * M_PI * 719 / 720);
+    for (int k = 1; k <= 3; ++k) hidden.update({&beside}, 0.1 * k, {}, kWalk_mps);
+    EXPECT_EQ(nearest(hidden.frontier()) > 0.85, remembered);
+  }
+}
+
+/** Between a wall of the map and a board 0.3 m from it, nobody comes out. */
+TEST(HiddenPeople, DoNotSlipThroughAGapThatIsTooNarrow) {
+  for (const double gap_m : {0.3, 0.7}) {
+    HiddenPeople hidden = people();
+    const auto view = [gap_m](double angle) {
+      const double wall = angle < -0.05 ? -1.0 / std::sin(angle) : 99.0;          // along y = -1
+      const double board = std::abs(angle) < 1.3 ? 1.0 / std::cos(angle) : 99.0;  // x = 1
+      const bool onBoard = board * std::sin(angle) > -1.0 + gap_m;
+      return std::min({3.0, wall, onBoard ? board : 99.0});
+    };
+    const PlanarScan scan = around(view);
+    hidden.update({&scan}, 0.0, {}, kWalk_mps);
+    // A cell at the end of the board may be left, where a disc does not reach into the corner.
+    if (gap_m < 0.5)
+      EXPECT_LE(hidden.frontier().size(), 2u);
+    else
+      EXPECT_GT(hidden.frontier().size(), 20u);
+  }
 }
 
 /** A laser with a narrow view: behind it, nobody is assumed, or what was there stays there. Behind

@@ -85,8 +85,7 @@ TEST(SeenPeople, WhoWalksIsAMoverAndWhoStandsIsNone) {
   EXPECT_NEAR(people.movers()[0].velocity.y, -1.0, 0.15);
   EXPECT_NEAR(people.movers()[0].position.y, -0.9, 0.15);
   const PlanarScan still = discAt(2.0, -0.9, 0.25);
-  for (int k = 20; k < 30; ++k)
-    people.update({{&still}, {}, {}}, 0.1 * k);
+  for (int k = 20; k < 30; ++k) people.update({{&still}, {}, {}}, 0.1 * k);
   EXPECT_TRUE(people.movers().empty());
 }
 
@@ -97,8 +96,8 @@ TEST(SeenPeople, WhoStandsForAWhileIsStandingUntilTheNextStep) {
   for (int k = 0; k <= 30; ++k) {
     people.update({{&scan}, {}, {}}, 0.1 * k);
     ASSERT_FALSE(people.frontier().empty());
-    EXPECT_TRUE(isAll(people.frontier(), k < 30 ? FrontierPoint::Kind::Seen
-                                                : FrontierPoint::Kind::Standing))
+    EXPECT_TRUE(isAll(people.frontier(),
+                      k < 30 ? FrontierPoint::Kind::Seen : FrontierPoint::Kind::Standing))
         << k;
   }
   people.update({{&further}, {}, {}}, 3.1);
@@ -276,8 +275,7 @@ TEST(SeenPeople, ASmallThingDoesNotWalkWhenItsOtherSideComesIntoView) {
 TEST(SeenPeople, WhoIsSeenTwiceIsOne) {
   Seen people;
   const PlanarScan scan = discAt(2.0, 0.0, 0.25), again = discAt(2.02, 0.01, 0.25);
-  for (int k = 0; k < 5; ++k)
-    people.update({{&scan}, {&again}, {}}, 0.1 * k);
+  for (int k = 0; k < 5; ++k) people.update({{&scan}, {&again}, {}}, 0.1 * k);
   EXPECT_EQ(people.tracks().size(), 1u);
 }
 

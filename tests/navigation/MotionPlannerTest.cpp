@@ -37,7 +37,7 @@ class MotionPlannerTest : public testing::Test {
     inflation.apply(base, base.bounds(), costs);
   }
   Motion step() {
-    const Motion motion = planner.step({time_s, pose, twist, twist, path, goal}, costs);
+    const Motion motion = planner.step({time_s, pose, twist, twist, path, goal, 0.0, guard}, costs);
     const TTwist2D allowed = limited(motion.command, twist, kLimits, kPeriod_s);
     EXPECT_NEAR(motion.command.vx, allowed.vx, 1e-9);
     EXPECT_NEAR(motion.command.omega, allowed.omega, 1e-9);
@@ -63,8 +63,27 @@ class MotionPlannerTest : public testing::Test {
   TPose2D pose, goal;
   TTwist2D twist;
   std::vector<TPoint2D> path;
+  const Guard* guard = nullptr;
   double time_s = 0.0;
 };
+
+/** Somebody stands beside the robot: it turns to the path, which leads away, and keeps to it at the
+ * creeping speed, however long that takes. */
+TEST_F(MotionPlannerTest, CreepsAlongThePathAwayFromSomebodyWhoStands) {
+  GuardParameters parameters;
+  Guard beside(parameters, kLimits, 0.25, kPeriod_s);
+  guard = &beside;
+  drawPath(-3.0, 0.5);
+  for (int k = 0; k < 250; ++k) {
+    beside.begin(pose, {{0.5f, 0.0f, FrontierPoint::Kind::Standing}}, 0.0, false);
+    const Motion motion = step();
+    ASSERT_NE(motion.mode, MotionMode::BackOff);
+    if (!beside.isBesideStanding()) break;
+    EXPECT_LE(std::abs(motion.command.vx), parameters.creepSpeed_mps + 1e-9);
+  }
+  EXPECT_FALSE(beside.isBesideStanding());
+  EXPECT_LT(pose.x, -0.2);
+}
 
 TEST_F(MotionPlannerTest, DrivesToTheGoalAndTakesUpItsHeading) {
   goal.phi = -2.0;

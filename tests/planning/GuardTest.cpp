@@ -29,8 +29,10 @@ FrontierPoint at(double x, double y) {
 
 Frontier anyFrontier(int most) {
   Frontier frontier;
-  for (int i = *rc::gen::inRange(0, most + 1); i > 0; --i)
+  for (int i = *rc::gen::inRange(0, most + 1); i > 0; --i) {
     frontier.push_back(at(any(-3.0, 3.0), any(-3.0, 3.0)));
+    frontier.back().kind = static_cast<FrontierPoint::Kind>(*rc::gen::inRange(0, 3));
+  }
   return frontier;
 }
 
@@ -77,6 +79,21 @@ TEST(Guard, CreepsOnlyWhenAllowed) {
   guard.begin({}, {at(0.4, 0.0)}, 0.0, true);
   EXPECT_TRUE(guard.admits({0.04, 0.0, 0.0}));
   EXPECT_FALSE(guard.admits({0.06, 0.0, 0.0}));
+}
+
+/** Creeping is for places where nobody is seen, and past those who stand. */
+TEST(Guard, WhoIsSeenWalkingIsNeverCreptAt) {
+  Guard guard(parameters(), {}, kRadius_m, kPeriod_s);
+  FrontierPoint somebody = at(0.4, 0.0);
+  somebody.kind = FrontierPoint::Kind::Seen;
+  guard.begin({}, {somebody}, 0.0, true);
+  EXPECT_FALSE(guard.admits({0.04, 0.0, 0.0}));
+  EXPECT_FALSE(guard.isBesideStanding());
+  somebody.kind = FrontierPoint::Kind::Standing;
+  guard.begin({}, {somebody}, 0.0, false);
+  EXPECT_TRUE(guard.admits({0.04, 0.0, 0.0}));
+  EXPECT_FALSE(guard.admits({0.06, 0.0, 0.0}));
+  EXPECT_TRUE(guard.isBesideStanding());
 }
 
 /** The binding point keeps its place in the frontier that was given. */

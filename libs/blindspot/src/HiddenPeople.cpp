@@ -189,9 +189,9 @@ void HiddenPeople::markSurfaces(const ScanView& view, const mrpt::math::TPose2D&
   }
 }
 
-/** People walk on, through everything but walls and obstacles, and may come in at the edge of the grid. Cells are
- * taken before they are reached, never after; steps along four and eight neighbours take turns,
- * whose octagon holds the circle. */
+/** People walk on, through everything but walls and obstacles, and may come in at the edge of the
+ * grid. Cells are taken before they are reached, never after; steps along four and eight neighbours
+ * take turns, whose octagon holds the circle. */
 void HiddenPeople::grow(double distance_m) {
   blockedBits_.assign(solid_);
   workBits_.assign(surface_);

@@ -28,8 +28,7 @@ bool isCovered(const PlanarScan& scan, std::size_t beam, int side, double gap_m)
   const auto step = static_cast<std::size_t>(side);  // below 0: beyond the end
   for (std::size_t k = beam + step; k < scan.beam.size(); k += step)
     if (scan.beam[k] != PlanarScan::Beam::Dropped)
-      return scan.beam[k] == PlanarScan::Beam::Hit &&
-             scan.range_m[k] < scan.range_m[beam] + gap_m;
+      return scan.beam[k] == PlanarScan::Beam::Hit && scan.range_m[k] < scan.range_m[beam] + gap_m;
   return true;
 }
 

@@ -40,8 +40,7 @@ void StandingThings::forget(const CostGrid& empty) {
 }
 
 void StandingThings::add(const mrpt::math::TPoint2D& from, const mrpt::math::TPoint2D& to) {
-  // A quarter of a cell: nobody slips through diagonally.
-  const int steps = 1 + static_cast<int>(4.0 * (to - from).norm() / stands_.getResolution());
+  const int steps = 1 + static_cast<int>(2.0 * (to - from).norm() / stands_.getResolution());
   for (int k = 0; k <= steps; ++k) {
     const auto p = from + (to - from) * (static_cast<double>(k) / steps);
     const int x = stands_.cellX(p.x), y = stands_.cellY(p.y);

@@ -124,8 +124,7 @@ Motion MotionPlanner::follow(const Input& input, const CostGrid& costs) {
   const TPoint2D robot{input.mapFromRobot.x, input.mapFromRobot.y};
   const TPoint2D localGoal = pointAhead(input.path, robot, parameters_.lookahead_m);
   const double bearing = bearingTo(input.mapFromRobot, pointAhead(input.path, robot, 0.5));
-  const bool creeps =
-      input.guard && (input.guard->mayCreep() || input.guard->isBesideStanding());
+  const bool creeps = input.guard && (input.guard->mayCreep() || input.guard->isBesideStanding());
   const double turnAbove = creeps ? kTurnToCreep_rad : parameters_.rotateToPathAbove_rad;
   if (isStanding(input.twist) && std::abs(bearing) > turnAbove) turning_ = true;
   if (std::abs(bearing) < 0.2) turning_ = false;
@@ -164,9 +163,9 @@ Motion MotionPlanner::creep(const Input& input, const CostGrid& costs) {
   motion.localGoal = pointAhead(input.path, robot, parameters_.lookahead_m);
   motion.blocked = !isFree(speed, turn, input, costs);
   if (!motion.blocked) recovery_.reset();  // slow, but not stuck
-  motion.command =
-      motion.blocked ? brake(input.commandBase, limits_, controlPeriod_s_)
-                     : limited({speed, 0.0, turn}, input.commandBase, limits_, controlPeriod_s_);
+  motion.command = motion.blocked
+                       ? brake(input.commandBase, limits_, controlPeriod_s_)
+                       : limited({speed, 0.0, turn}, input.commandBase, limits_, controlPeriod_s_);
   return motion;
 }
 

@@ -12,7 +12,7 @@ using mrpt::math::TTwist2D;
 
 constexpr double kStanding_mps = 1e-3;
 constexpr double kWorthwhile_mps = 0.1;  // slower than that, creeping is as good
-constexpr double kFinest_s = 0.005;  // of the steps along an arc
+constexpr double kFinest_s = 0.005;      // of the steps along an arc
 
 /** The way of a command: an arc that is driven at a speed and then braked on. */
 struct StoppingWay {
@@ -143,8 +143,8 @@ void Guard::begin(const TPose2D& mapFromRobot, const Frontier& frontier, double 
 
 bool Guard::isBesideStanding() const {
   const double needed = robot_.radius_m + parameters_.margin_m +
-                        parameters_.personSpeed_mps *
-                            (age_s_ + robot_.reaction_s + kWorthwhile_mps / robot_.deceleration_mps2);
+                        parameters_.personSpeed_mps * (age_s_ + robot_.reaction_s +
+                                                       kWorthwhile_mps / robot_.deceleration_mps2);
   return walking_ < x_m_.size() && distanceNow_m_ <= needed;
 }
 
@@ -201,11 +201,9 @@ GuardVerdict Guard::judge(const TTwist2D& command) const {
     const double t = std::min(k * 0.02, way.duration_s());
     const TPoint2D centre = way.at(t);
     std::size_t which = 0;
-    const double slack =
-        nearest(static_cast<float>(centre.x), static_cast<float>(centre.y),
-                promised(way.speed_mps), &which) -
-        needed -
-        parameters_.personSpeed_mps * (t + age_s_);
+    const double slack = nearest(static_cast<float>(centre.x), static_cast<float>(centre.y),
+                                 promised(way.speed_mps), &which) -
+                         needed - parameters_.personSpeed_mps * (t + age_s_);
     if (slack <= 0.0) verdict.impact_mps = std::max(verdict.impact_mps, way.speedAt_mps(t));
     if (slack >= verdict.slack_m) continue;
     verdict.slack_m = slack;

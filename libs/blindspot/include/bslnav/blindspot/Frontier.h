@@ -8,8 +8,8 @@ namespace bslnav {
 /** A place, in the map frame, from which somebody may step in the robot's way. */
 struct FrontierPoint {
   enum class Kind : std::uint8_t {
-    Hidden,  ///< the edge of a place where somebody may be whom no sensor sees
-    Seen,    ///< somebody who is seen, and may walk off
+    Hidden,   ///< the edge of a place where somebody may be whom no sensor sees
+    Seen,     ///< somebody who is seen, and may walk off
     Standing  ///< somebody who has been seen standing for a while
   };
   float x_m = 0.0f, y_m = 0.0f;

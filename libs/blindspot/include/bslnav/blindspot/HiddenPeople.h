@@ -21,10 +21,10 @@ struct HiddenPeopleParameters {
     Free,       ///< nobody comes from there
     Remembered  ///< whoever can have got there since it was seen empty
   };
-  double radius_m = 0.25;  ///< r_p: of the smallest disc that a person covers
-  double gap_m = 0.4;      ///< nobody comes out between two hits that are nearer to each other
+  double radius_m = 0.25;       ///< r_p: of the smallest disc that a person covers
+  double gap_m = 0.4;           ///< nobody comes out between two hits that are nearer to each other
   double mapTolerance_m = 0.1;  ///< a hit this near to an occupied cell of the map is the map's
-  double reach_m = 4.0;    ///< farther from the robot nobody matters
+  double reach_m = 4.0;         ///< farther from the robot nobody matters
   double resolution_m = 0.05;
   double lookMemory_s = 0.5;  ///< a direction counts as looked at for so long
   OutsideView outsideView = OutsideView::Free;

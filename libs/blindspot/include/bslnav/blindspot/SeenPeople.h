@@ -15,12 +15,12 @@
 namespace bslnav {
 
 struct SeenPeopleParameters {
-  double clusterGap_m = 0.1;    ///< hits this near are of one thing
+  double clusterGap_m = 0.1;         ///< hits this near are of one thing
   double standingTolerance_m = 0.1;  ///< a hit this near to an obstacle that stands is of it
   double narrowest_m = 0.35, widest_m = 1.5;  ///< of what may be people
-  double straight_m = 0.33;  ///< what is straight over so much is none
+  double straight_m = 0.33;                   ///< what is straight over so much is none
   double lowest_m = 0.8;                      ///< what a depth camera sees to be lower is none
-  double standing_s = 1.0;  ///< what is narrower and stands so long is an obstacle
+  double standing_s = 1.0;        ///< what is narrower and stands so long is an obstacle
   double personStanding_s = 3.0;  ///< a person who stands so long is Standing
   /** The middle of what is seen of a thing that stands stays within this distance and half its
    * width. */
@@ -43,9 +43,9 @@ struct Track {
  * A thing as wide as a person may walk off at any time, and so may one that something nearer covers
  * in part. What is narrower is an obstacle once it has stood still for a while. What is wider or
  * straight is one at once, as walls are without a map, and so is what depth cameras see whole and
- * lower than people. The places of obstacles are remembered until they are seen to be empty, and hits there
- * are explained; what is new beside them is told anew. Hits are joined to things in the order of
- * the beams, things to tracks by nearness, and velocities are smoothed. */
+ * lower than people. The places of obstacles are remembered until they are seen to be empty, and
+ * hits there are explained; what is new beside them is told anew. Hits are joined to things in the
+ * order of the beams, things to tracks by nearness, and velocities are smoothed. */
 class SeenPeople {
  public:
   /** In one robot frame. Where several see the same thing, the first follows it. */
@@ -88,7 +88,7 @@ class SeenPeople {
     bool mayWalk, stands;
   };
   enum class Is : std::uint8_t { New, Mapped, Standing, Straight };  // what explains a hit
-  struct Top {  // of a hit with a height
+  struct Top {                                                       // of a hit with a height
     mrpt::math::TPoint2D at;
     double height_m;
     bool isWhole;  // the view there reaches above the lowest people
@@ -110,8 +110,8 @@ class SeenPeople {
 
   SeenPeopleParameters parameters_;
   std::vector<mrpt::math::TPoint2D> points_;
-  std::vector<Is> is_;                            // of points_
-  std::vector<mrpt::math::TPoint2D> obstacles_;   // seen now, along them
+  std::vector<Is> is_;                           // of points_
+  std::vector<mrpt::math::TPoint2D> obstacles_;  // seen now, along them
   std::vector<Top> tops_;
   std::vector<Thing> things_;
   std::vector<Track> tracks_;

@@ -17,7 +17,7 @@ struct GuardParameters {
   double personSpeed_mps = 4.0 / 3.6;  ///< v_h: nobody walks faster
   double latency_s = 0.1;              ///< from a command to its effect, besides the period
   double margin_m = 0.08;  ///< noise of ranges and pose, half a cell of the grid of hidden people
-  double noise_m = 0.04;    ///< so much of the margin may noise use up without a lapse
+  double noise_m = 0.04;   ///< so much of the margin may noise use up without a lapse
   double creepAfter_s = 6.0;     ///< standing so long with nothing admissible, the robot may creep
   double creepSpeed_mps = 0.04;  ///< 0: it never does
 
@@ -97,9 +97,7 @@ class Guard {
                               const mrpt::math::TTwist2D& slowest) const;
 
  private:
-  bool isCreep(double speed_mps) const {
-    return speed_mps <= parameters_.creepSpeed_mps + 1e-3;
-  }
+  bool isCreep(double speed_mps) const { return speed_mps <= parameters_.creepSpeed_mps + 1e-3; }
   /** Points that the promise at a speed minds, and those that may refuse it, are the first so many.
    */
   std::size_t promised(double speed_mps) const {
