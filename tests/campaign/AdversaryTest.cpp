@@ -134,6 +134,31 @@ TEST_P(Adversary, FromTheWorstFrontierPointMeetsARobotThatStands) {
   EXPECT_GT(contacts, tried / 10);  // else it is no adversary
 }
 
+/** These two met a robot at 0.06 m/s: standing beside a parked box for a while, each was taken for
+ * a part of it. */
+TEST(AdversaryRegression, WhoStoodBesideABoxMeetsARobotThatStands) {
+  struct Case {
+    long encounter;
+    double start_s;
+    TPoint2D from, to;
+  };
+  const Case cases[] = {{13, 6.1, {1.40, 0.69}, {1.57, -0.72}},
+                        {181, 3.4, {1.49, 1.12}, {1.42, -0.22}}};
+  const Entrant entrant = guarded("laser");
+  for (const Case& c : cases) {
+    Encounter encounter = makeEncounter({}, 99, c.encounter);
+    encounter.world.pedestrians.clear();
+    SimulationSetup setup = setupOf(entrant, encounter);
+    PedestrianParameters person;
+    person.speed_mps = entrant.setup.navigation.guard.personSpeed_mps;
+    person.startDelay_s = c.start_s;
+    person.path_m = {c.from, c.to};
+    setup.world.pedestrians["adversary"] = person;
+    setup.scenario.timeLimit_s = c.start_s + 4.0;
+    EXPECT_FALSE(runSimulation(setup, encounter.seed).atFault) << c.encounter;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Sensors, Adversary, testing::Values("laser", "depth", "both"));
 
 }  // namespace

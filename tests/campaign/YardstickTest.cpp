@@ -35,11 +35,19 @@ TEST(Yardstick, RoomToSwingWideSavesTime) {
   EXPECT_GT(passTime(narrow, 1.1111), passTime(wide, 1.1111) + 0.2);
 }
 
+TEST(Yardstick, NobodyRightBehindTheCornerSavesTime) {
+  CornerPass points, discs;
+  points.left_m = discs.left_m = 0.6;
+  points.personRadius_m = 0.0;
+  EXPECT_LT(passTime(discs, 1.1111), passTime(points, 1.1111) - 0.1);
+}
+
 TEST(Yardstick, StraightPastTheCornerItKeepsToTheBoundOfTheFormula) {
   // A corridor as narrow as the robot: v* = a ((D - r) / v_h - tau) straight past the corner.
   CornerPass pass;
   pass.right_m = 0.7;
   pass.left_m = 0.26;
+  pass.personRadius_m = 0.0;
   const double bound = 0.5 * ((0.7 - 0.25) / 1.1111 - 0.2);
   ASSERT_LT(bound, 0.15);
   // Some of the way before the corner has to be driven at about the bound.
@@ -50,6 +58,7 @@ TEST(Yardstick, ThereIsNoneWhereTheRobotWouldHaveToTouchTheCorner) {
   CornerPass pass;
   pass.right_m = 0.4;
   pass.left_m = 0.26;
+  pass.personRadius_m = 0.0;
   EXPECT_FALSE(fastestPass_s(pass, kRobot, kAcceleration, kFastest, 1.1111));
 }
 

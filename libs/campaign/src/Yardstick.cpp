@@ -31,14 +31,17 @@ class Pass {
   /** Whether the robot may be at `at` with this speed, heading along (1, slope). */
   bool isSafe(const TPoint2D& at, double slope, double speed_mps) const {
     if (speed_mps == 0.0 || at.x >= pass_.openingFrom_m) return true;  // then it sees all of it
-    const TPoint2D corner(pass_.openingFrom_m, -pass_.right_m), end = endOfSight(at);
+    const TPoint2D end = endOfSight(at), corner(pass_.openingFrom_m, -pass_.right_m);
+    const double hidden_m = (end - corner).norm(), from_m = whereSomebodyFits_m(end - corner);
+    if (from_m >= hidden_m) return true;
+    const TPoint2D begin = corner + (end - corner) * (from_m / hidden_m);
     const TPoint2D direction = TPoint2D(1.0, slope) * (1.0 / std::hypot(1.0, slope));
     const double stop_s = robot_.reaction_s + speed_mps / robot_.deceleration_mps2;
     constexpr int kSteps = 20;
     for (int k = 0; k <= kSteps; ++k) {
       const double t = stop_s * k / kSteps;
       const double needed = robot_.radius_m + personSpeed_mps_ * t;
-      if (distanceToSegment(at + direction * driven_m(speed_mps, t), corner, end) <= needed)
+      if (distanceToSegment(at + direction * driven_m(speed_mps, t), begin, end) <= needed)
         return false;
     }
     return true;
@@ -58,6 +61,13 @@ class Pass {
     const double toSide = (pass_.openingTo_m - corner.x) / way.x;
     const double toBack = way.y < 0.0 ? pass_.depth_m / -way.y : kNever_s;
     return corner + way * std::min(toSide, toBack);
+  }
+
+  /** How far behind the corner a person begins to fit between the line of sight and the niche's
+   * side wall. */
+  double whereSomebodyFits_m(const TPoint2D& sight) const {
+    const double wedge_rad = std::atan2(sight.x, -sight.y);
+    return pass_.personRadius_m / std::tan(std::max(1e-6, 0.5 * wedge_rad));
   }
 
   CornerPass pass_;

@@ -11,7 +11,8 @@ namespace bslnav {
 struct CornerPass {
   double right_m = 0.9, left_m = 1.5;  ///< from the line y = 0 to the walls, both positive
   double openingFrom_m = 3.5, openingTo_m = 5.0, depth_m = 2.0;
-  double goal_m = 7.5;  ///< the robot starts at the origin and stops at (goal, 0)
+  double personRadius_m = 0.25;  ///< of the smallest disc that a person covers
+  double goal_m = 7.5;           ///< the robot starts at the origin and stops at (goal, 0)
 };
 
 /** The least time [s] in which a robot can drive a pass so that it stands before anybody who may
