@@ -1,5 +1,6 @@
 // Evaluates a recorded log offline: what would the planner have seen and commanded?
 #include <bslnav/config/Error.h>
+#include <bslnav/evaluation/GuardAudit.h>
 #include <bslnav/evaluation/RawlogPictures.h>
 #include <bslnav/evaluation/RunRecorder.h>
 
@@ -31,15 +32,19 @@ int evaluate(bslnav::CommonOptions options, const std::string& rawlog, const std
   RunRecorder recorder(options.out, config);
   if (setup.pictures.recordCandidates) recorder.recordCandidates();
   RawlogPictures pictures(setup, log);
+  GuardAudit audit(setup.navigation, log.map);
   listenForInterrupts();
-  const RunSummary summary = evaluateLog(setup, log, options.seed, [&](const RawlogMoment& moment) {
+  RunSummary summary = evaluateLog(setup, log, options.seed, [&](const RawlogMoment& moment) {
     recorder.write(moment.record, moment.record.mapFromRobot);
     pictures.observe(moment);
+    audit.observe(moment);
     if (moment.record.index % 50 == 0)
       showProgress(std::to_string(static_cast<int>(100.0 * moment.progress)) + " %", options.quiet);
     return !interrupted();
   });
   showProgress("", options.quiet);
+  if (setup.navigation.guard.enabled) summary.rawlog->guard = audit.findings();
+  pictures.add(audit);
   recorder.finish(summary);
   const auto paths = pictures.save(summary, recorder.directory());
   if (!options.quiet)

@@ -40,6 +40,24 @@ void addDriven(const RunSummary& s, Rows& rows) {
   rows.emplace_back("impact speed", orDash("%.2f m/s", s.impactSpeed_mps));
 }
 
+/** What the guard makes of a recorded drive. */
+void addAudit(const GuardFindings& g, Rows& rows) {
+  const double scans = std::max(1.0, static_cast<double>(g.scans));
+  const double jumps = std::max(1.0, static_cast<double>(g.jumps)) / 100.0;
+  const double cycles = std::max(1.0, static_cast<double>(g.drivingCycles)) / 100.0;
+  rows.emplace_back("frontiers",
+                    text("%.1f a scan, beside ", static_cast<double>(g.frontiers) / scans) +
+                        text("%.1f jumps", static_cast<double>(g.jumps) / scans));
+  rows.emplace_back(
+      "jumps", text("%.1f %% with a frontier behind, ", static_cast<double>(g.plausible) / jumps) +
+                   text("%.1f %% too far, ", static_cast<double>(g.tooFar) / jumps) +
+                   text("%.1f %% where nobody fits, ", static_cast<double>(g.nobodyFits) / jumps) +
+                   text("%.1f %% seen empty before", static_cast<double>(g.seenEmpty) / jumps));
+  rows.emplace_back("bound", text("exceeded in %.1f %% of the cycles in which the robot drove, ",
+                                  static_cast<double>(g.exceededCycles) / cycles) +
+                                 text("by %.2f m/s at most", g.mostExceeded_mps));
+}
+
 /** What only an offline evaluation has. */
 void addEvaluated(const RunSummary& s, const RawlogFindings& f, Rows& rows) {
   rows.emplace_back("evaluated", std::to_string(s.cycles) + (s.cycles == 1 ? " frame" : " frames") +
@@ -54,6 +72,7 @@ void addEvaluated(const RunSummary& s, const RawlogFindings& f, Rows& rows) {
       text("%.2f m/s", f.speedDifferenceMean_mps) +
           text(" and %.2f rad/s from the recording in the mean,", f.yawRateDifferenceMean_radps) +
           text(" slower in %.0f %% of the cycles", f.slowerThanRecorded_percent));
+  if (f.guard) addAudit(*f.guard, rows);
   rows.emplace_back("speed", text("%.0f times faster than the recording", f.recorded_s / f.wall_s));
 }
 

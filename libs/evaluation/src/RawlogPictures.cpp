@@ -35,7 +35,10 @@ double usualTop(std::vector<double> speeds) {
 }  // namespace
 
 RawlogPictures::RawlogPictures(const RawlogSetup& setup, const LocalizedLog& log)
-    : setup_(setup), log_(log), snapshots_(setup.navigation.footprint) {
+    : setup_(setup),
+      log_(log),
+      snapshots_(setup.navigation.footprint),
+      worst_(setup.navigation.footprint) {
   constexpr double kMargin_m = 4.0;
   const auto& first = log.path.samples().front().pose;
   bounds_ = {first.x, first.y, first.x, first.y};
@@ -44,6 +47,10 @@ RawlogPictures::RawlogPictures(const RawlogSetup& setup, const LocalizedLog& log
                std::max(bounds_.xMax_m, sample.pose.x), std::max(bounds_.yMax_m, sample.pose.y)};
   bounds_ = {bounds_.xMin_m - kMargin_m, bounds_.yMin_m - kMargin_m, bounds_.xMax_m + kMargin_m,
              bounds_.yMax_m + kMargin_m};
+}
+
+void RawlogPictures::add(const GuardAudit& audit) {
+  for (const CycleSnapshot& moment : audit.worst()) worst_.add(moment, bounds_);
 }
 
 void RawlogPictures::observe(const RawlogMoment& moment) {
@@ -107,6 +114,11 @@ std::vector<std::string> RawlogPictures::save(const RunSummary& summary,
   if (!snapshots_.empty()) {
     paths.push_back(directory + "/snapshots.png");
     snapshots_.save(paths.back(), titleOf(log_.findings, summary));
+  }
+  if (!worst_.empty()) {
+    paths.push_back(directory + "/worst-moments.png");
+    worst_.save(paths.back(),
+                titleOf(log_.findings, summary) + ": farthest above the bound as recorded");
   }
   for (std::size_t i = 0; i < depthStages_.size(); ++i)
     paths.push_back(depthStages_[i].save(directory, "depth-stages-" + std::to_string(i + 1),

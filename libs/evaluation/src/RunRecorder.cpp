@@ -60,6 +60,19 @@ std::string certificate(const GuardRecord& g) {
 Json orNull(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 Json toJson(const Percentiles& p) { return {{"p50", p.p50}, {"p99", p.p99}, {"max", p.max}}; }
 
+Json toJson(const GuardFindings& g) {
+  return {{"scans", g.scans},
+          {"frontiers", g.frontiers},
+          {"jumps", g.jumps},
+          {"jumps_plausible", g.plausible},
+          {"jumps_too_far", g.tooFar},
+          {"jumps_nobody_fits", g.nobodyFits},
+          {"jumps_seen_empty", g.seenEmpty},
+          {"driving_cycles", g.drivingCycles},
+          {"bound_exceeded_cycles", g.exceededCycles},
+          {"bound_exceeded_most_mps", g.mostExceeded_mps}};
+}
+
 Json toJson(const RawlogFindings& f) {
   return {{"log", f.log},
           {"records", f.records},
@@ -77,6 +90,7 @@ Json toJson(const RawlogFindings& f) {
           {"speed_difference_mean_mps", f.speedDifferenceMean_mps},
           {"yaw_rate_difference_mean_radps", f.yawRateDifferenceMean_radps},
           {"slower_than_recorded_percent", f.slowerThanRecorded_percent},
+          {"guard", f.guard ? toJson(*f.guard) : Json(nullptr)},
           {"wall_s", f.wall_s},
           {"times_faster_than_recording", f.recorded_s / f.wall_s}};
 }

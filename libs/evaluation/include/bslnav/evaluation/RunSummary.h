@@ -20,6 +20,19 @@ struct Percentiles {
   double p50 = 0.0, p99 = 0.0, max = 0.0;
 };
 
+/** What the guard makes of a recorded drive; sums over its cycles. */
+struct GuardFindings {
+  long scans = 0, frontiers = 0;  ///< frontiers: connected pieces, of hidden people
+  long jumps = 0;                 ///< neighbouring beams whose ranges differ by Z_th
+  long plausible = 0;             ///< jumps behind which somebody may be
+  long tooFar = 0;                ///< jumps beyond [hidden_people] reach_m
+  long nobodyFits = 0;            ///< jumps behind which no person fits
+  long seenEmpty = 0;             ///< jumps whose shadow was seen empty too short a time ago
+  long drivingCycles = 0;         ///< in which the robot was faster than 0.05 m/s
+  long exceededCycles = 0;        ///< of these, faster than the guard's bound
+  double mostExceeded_mps = 0.0;
+};
+
 /** What only an offline evaluation tells: about the log, and the planner beside the recording. */
 struct RawlogFindings {
   std::string log;
@@ -36,8 +49,9 @@ struct RawlogFindings {
   double speedDifferenceMean_mps = 0.0;  ///< mean |chosen by the planner − recorded|
   double yawRateDifferenceMean_radps = 0.0;
   double slowerThanRecorded_percent =
-      0.0;              ///< cycles in which the planner was at least 0.1 m/s slower
-  double wall_s = 0.0;  ///< wall-clock time of localisation and control cycles
+      0.0;                             ///< cycles in which the planner was at least 0.1 m/s slower
+  double wall_s = 0.0;                 ///< wall-clock time of localisation and control cycles
+  std::optional<GuardFindings> guard;  ///< with the guard
 };
 
 /** The measurements of a log in words: "37 scans, 12 depth frames". */

@@ -33,6 +33,8 @@ class Surroundings {
   /** The depth images that blind spots were found in, in the robot frame of that cycle; empty
    * without. */
   const std::vector<const DepthFrame*>& depthFrames() const { return depthCameras_.frames(); }
+  /** The last frame's scans, in the robot frame of that cycle. */
+  const std::vector<PlanarScan>& scans() const { return scans_; }
   /** Who may step in the robot's way; null unless the guard is enabled. */
   const People* people() const { return people_ ? &*people_ : nullptr; }
   const CostGrid& localCosts() const { return local_.costs(); }
