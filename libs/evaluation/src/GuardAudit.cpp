@@ -104,10 +104,11 @@ void GuardAudit::judgeSpeed(const RawlogMoment& moment) {
                std::max(0.0, record.time_s - people.stamp_s()), false);
   if (guard_.admits(record.twist)) return;
   ++sums_.exceededCycles;
-  const double excess = speed - guard_.bound_mps(record.twist);
+  const double bound = guard_.bound_mps(record.twist), excess = speed - bound;
   sums_.mostExceeded_mps = std::max(sums_.mostExceeded_mps, excess);
   CycleSnapshot snapshot{record, moment.cycle.surroundings().localCosts(), {}, people.frontier()};
   const GuardVerdict verdict = guard_.judge(record.twist);
+  snapshot.record.guard.bound_mps = bound;
   snapshot.record.guard.binding.reset();
   if (verdict.binding >= 0)
     snapshot.record.guard.binding = people.frontier()[static_cast<std::size_t>(verdict.binding)];
