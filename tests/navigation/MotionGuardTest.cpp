@@ -91,6 +91,29 @@ TEST(MotionGuard, CreepsPastSomebodyWhoStandsAtOnce) {
             0.041);
 }
 
+/** Beside somebody who stands, the shadow of that person may bind even a robot that creeps: then it
+ * waits as everywhere, whoever made the command. */
+TEST(MotionGuard, WaitsAndCreepsWhenWhatIsHiddenBehindAPersonBinds) {
+  MotionGuard guard = motionGuard();
+  Frontier frontier = somebodyAhead(0.5, FrontierPoint::Kind::Standing);
+  frontier.push_back(ahead(0.5).front());
+  const auto creep = [&](double time_s) {
+    CycleRecord record;
+    record.time_s = time_s;
+    guard.begin(record, frontier, time_s);
+    record.motion.command = {0.04, 0.0, 0.0};
+    guard.finish({}, frontier, record);
+    return record;
+  };
+  for (double t = 0.0; t < 5.95; t += 0.1) {
+    ASSERT_EQ(creep(t).motion.command.vx, 0.0) << t;
+    EXPECT_TRUE(guard.isWaiting());
+  }
+  creep(6.0);
+  EXPECT_EQ(creep(6.1).motion.command.vx, 0.04);
+  EXPECT_EQ(creep(6.2).guard.lapse, Lapse::Creeping);
+}
+
 /** At 0.5 m/s, 1.86 m are just too near. What ranges that are not exact may take of the margin is
  * no lapse, but the robot brakes; more is one. */
 TEST(MotionGuard, NoiseWithinTheMarginIsNoLapse) {

@@ -75,13 +75,14 @@ void MotionGuard::certify(const Frontier& frontier, CycleRecord& record) const {
  * something is. */
 void MotionGuard::watchStanding(CycleRecord& record) {
   const bool stands = magnitude(record.motion.command) < kStanding_mps;
-  if (refusedSince_s_ >= 0.0 && stands && !record.motion.planned) return;  // turns on the spot
+  const bool planned = record.motion.planned, capped = record.guard.capped;
+  if (refusedSince_s_ >= 0.0 && stands && !planned && !capped) return;  // turns on the spot
+  const auto guarded = [](const Candidate& c) { return c.verdict == Candidate::Verdict::Guarded; };
+  const auto& candidates = record.dwa.candidates;
   const bool refused =
       record.guard.lapse == GuardRecord::Lapse::Creeping ||
-      (stands && record.motion.planned &&
-       (record.guard.capped ||
-        std::any_of(record.dwa.candidates.begin(), record.dwa.candidates.end(),
-                    [](const Candidate& c) { return c.verdict == Candidate::Verdict::Guarded; })));
+      (stands &&
+       (capped || (planned && std::any_of(candidates.begin(), candidates.end(), guarded))));
   if (!refused)
     refusedSince_s_ = -1.0;
   else if (refusedSince_s_ < 0.0)

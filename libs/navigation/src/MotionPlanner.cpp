@@ -161,7 +161,12 @@ Motion MotionPlanner::creep(const Input& input, const CostGrid& costs) {
   Motion motion;
   motion.mode = MotionMode::Follow;
   motion.localGoal = pointAhead(input.path, robot, parameters_.lookahead_m);
-  motion.blocked = !isFree(speed, turn, input, costs);
+  // Somebody may have come nearer than the robot would: away from there it may go.
+  constexpr double kSight_m = 1.0;
+  const TPoint2D ahead =
+      robot + TPoint2D(std::cos(input.mapFromRobot.phi), std::sin(input.mapFromRobot.phi)) * 0.1;
+  motion.blocked = !isFree(speed, turn, input, costs) &&
+                   clearance(costs, ahead, kSight_m) <= clearance(costs, robot, kSight_m);
   if (!motion.blocked) recovery_.reset();  // slow, but not stuck
   motion.command = motion.blocked
                        ? brake(input.commandBase, limits_, controlPeriod_s_)
