@@ -166,7 +166,7 @@ TEST(HiddenPeople, NobodyIsInsideWalls) {
   EXPECT_TRUE(hidden.frontier().empty());
 }
 
-/** A board of 0.6 m hides somebody. Seen edge-on, it is still in the way: who stands behind it does
+/** A board of 1.6 m hides somebody. Seen edge-on, it is still in the way: who stands behind it does
  * not come through. */
 TEST(HiddenPeople, DoNotWalkThroughWhatWasSeenToStand) {
   for (const bool remembered : {true, false}) {
@@ -187,7 +187,7 @@ TEST(HiddenPeople, DoNotWalkThroughWhatWasSeenToStand) {
   }
 }
 
-/** Between a wall of the map and a board 0.3 m from it, nobody comes out. */
+/** Between a wall and a board 0.3 m from it, nobody comes out. */
 TEST(HiddenPeople, DoNotSlipThroughAGapThatIsTooNarrow) {
   for (const double gap_m : {0.3, 0.7}) {
     HiddenPeople hidden = people();

@@ -111,7 +111,7 @@ TEST(SeenPeople, TwoSideBySideAreNoObstacle) {
   EXPECT_FALSE(people.frontier().empty());
 }
 
-/** A wall across the view, 1.2 m wide: 180 degrees of beams as those of discAt(). */
+/** A board across the view, with the beams of discAt(). */
 PlanarScan wallAt(double x, double halfWidth) {
   PlanarScan scan = discAt(2.0, 9.0, 0.1);
   std::vector<float> ranges;

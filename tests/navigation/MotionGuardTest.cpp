@@ -114,17 +114,17 @@ TEST(MotionGuard, WaitsAndCreepsWhenWhatIsHiddenBehindAPersonBinds) {
   EXPECT_EQ(creep(6.2).guard.lapse, Lapse::Creeping);
 }
 
-/** At 0.5 m/s, 1.86 m are just too near. What ranges that are not exact may take of the margin is
- * no lapse, but the robot brakes; more is one. */
+/** The robot can brake to 0.5 m/s, for which somebody 2.01 m ahead is just too near. What ranges
+ * that are not exact may take of the margin is no lapse; more is one. It brakes either way. */
 TEST(MotionGuard, NoiseWithinTheMarginIsNoLapse) {
   const double enough_m = 0.25 + 0.08 + 0.5 * 0.2 + 0.5 * 0.5 + (4.0 / 3.6) * 1.2;
   for (const double nearer_m : {0.02, 0.06}) {
     MotionGuard guard = motionGuard();
-    const CycleRecord record = cycle(guard, 0.0, ahead(enough_m + 0.5 * 0.1 - nearer_m),
-                                     {0.55, 0.0, 0.0}, {0.55, 0.0, 0.0});
-    EXPECT_TRUE(record.guard.capped);
-    EXPECT_NEAR(record.guard.slack_m, 0.05 - nearer_m, 0.06);
-    EXPECT_EQ(record.guard.lapse, Lapse::None);
+    const CycleRecord record =
+        cycle(guard, 0.0, ahead(enough_m - nearer_m), {0.55, 0.0, 0.0}, {0.55, 0.0, 0.0});
+    EXPECT_NEAR(record.motion.command.vx, 0.5, 1e-9);
+    EXPECT_NEAR(record.guard.slack_m, -nearer_m, 0.01);
+    EXPECT_EQ(record.guard.lapse, nearer_m < 0.04 ? Lapse::None : Lapse::Surprised);
   }
 }
 

@@ -94,6 +94,9 @@ TEST(Guard, WhoIsSeenWalkingIsNeverCreptAt) {
   EXPECT_TRUE(guard.admits({0.04, 0.0, 0.0}));
   EXPECT_FALSE(guard.admits({0.06, 0.0, 0.0}));
   EXPECT_TRUE(guard.isBesideStanding());
+  somebody.x_m = 1.5f;  // what is near now is hidden
+  guard.begin({}, {somebody, at(0.4, 0.0)}, 0.0, false);
+  EXPECT_FALSE(guard.isBesideStanding());
 }
 
 /** The binding point keeps its place in the frontier that was given. */

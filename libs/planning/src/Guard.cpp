@@ -145,7 +145,9 @@ bool Guard::isBesideStanding() const {
   const double needed = robot_.radius_m + parameters_.margin_m +
                         parameters_.personSpeed_mps * (age_s_ + robot_.reaction_s +
                                                        kWorthwhile_mps / robot_.deceleration_mps2);
-  return walking_ < x_m_.size() && distanceNow_m_ <= needed;
+  for (std::size_t i = walking_; i < x_m_.size(); ++i)
+    if (std::hypot(x_m_[i], y_m_[i]) <= needed) return true;
+  return false;
 }
 
 float Guard::nearest(float x_m, float y_m, std::size_t count, std::size_t* which) const {
