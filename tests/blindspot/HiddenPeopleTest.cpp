@@ -44,6 +44,19 @@ double nearest(const Frontier& frontier, const TPoint2D& from = {}) {
   return least;
 }
 
+TEST(HiddenPeople, LooksBehindAsLongAsItsMemory) {
+  HiddenPeople hidden = people();
+  EXPECT_FALSE(hidden.looksBehind());
+  const PlanarScan room = around([](double) { return 3.0; });
+  const PlanarScan ahead = test::scanOf(std::vector<float>(361, 2.5f), M_PI);
+  hidden.update({&room}, 0.0, {}, kWalk_mps);
+  EXPECT_TRUE(hidden.looksBehind());
+  hidden.update({&ahead}, 0.4, {}, kWalk_mps);
+  EXPECT_TRUE(hidden.looksBehind());
+  hidden.update({&ahead}, 0.6, {}, kWalk_mps);
+  EXPECT_FALSE(hidden.looksBehind());
+}
+
 TEST(HiddenPeople, NobodyIsInARoundRoom) {
   const PlanarScan room = around([](double) { return 3.0; });
   HiddenPeople hidden = people();

@@ -31,10 +31,20 @@ CostGrid freeMap() { return CostGrid(160, 160, 0.05, -4.0, -4.0, 0); }
 /** SeenPeople in a place whose map is this. */
 class Seen {
  public:
-  explicit Seen(const CostGrid& mapped = freeMap()) : mapped_(mapped) { standing_.follow(mapped); }
+  explicit Seen(const CostGrid& mapped = freeMap())
+      : mapped_(mapped), reached_(mapped.width(), mapped.height()) {
+    standing_.follow(mapped);
+    reached_.invert();  // from anywhere
+  }
+
+  /** Somebody unseen can have got to this place only. */
+  void reachedOnlyAt(double x_m, double y_m) {
+    reached_.clear();
+    reached_.set(mapped_.cellX(x_m), mapped_.cellY(y_m));
+  }
 
   void update(const SeenPeople::Views& views, double stamp_s) {
-    people_.update(views, stamp_s, {}, {mapped_, standing_}, kWalk_mps);
+    people_.update(views, stamp_s, {}, {mapped_, standing_, reached_}, kWalk_mps);
   }
   const Frontier& frontier() const { return people_.frontier(); }
   const Movers& movers() const { return people_.movers(); }
@@ -43,6 +53,7 @@ class Seen {
  private:
   CostGrid mapped_;
   StandingThings standing_;
+  BitGrid reached_;
   SeenPeople people_{SeenPeopleParameters{}};
 };
 
@@ -74,7 +85,7 @@ TEST(SeenPeople, SomebodyWhoStandsMayAlwaysWalkOff) {
   }
 }
 
-TEST(SeenPeople, WhoWalksIsAMoverAndWhoStandsIsNone) {
+TEST(SeenPeople, WhoWalksIsAMover) {
   Seen people;
   for (int k = 0; k < 20; ++k) {
     const PlanarScan scan = discAt(2.0, 1.0 - 0.1 * k, 0.25);  // to the right, at 1 m/s
@@ -84,8 +95,39 @@ TEST(SeenPeople, WhoWalksIsAMoverAndWhoStandsIsNone) {
   ASSERT_EQ(people.movers().size(), 1u);
   EXPECT_NEAR(people.movers()[0].velocity.y, -1.0, 0.15);
   EXPECT_NEAR(people.movers()[0].position.y, -0.9, 0.15);
+}
+
+/** For as long as it takes to count as Standing. */
+TEST(SeenPeople, WhoStopsMayWalkOnTheSameWayForAWhile) {
+  Seen people;
+  for (int k = 0; k < 20; ++k) {
+    const PlanarScan scan = discAt(2.0, 1.0 - 0.1 * k, 0.25);
+    people.update({{&scan}, {}, {}}, 0.1 * k);
+  }
   const PlanarScan still = discAt(2.0, -0.9, 0.25);
-  for (int k = 20; k < 30; ++k) people.update({{&still}, {}, {}}, 0.1 * k);
+  for (int k = 20; k < 60; ++k) {
+    people.update({{&still}, {}, {}}, 0.1 * k);
+    ASSERT_EQ(people.movers().size(), people.frontier()[0].kind == FrontierPoint::Kind::Seen);
+    for (const Mover& mover : people.movers()) EXPECT_NEAR(mover.velocity.y, -1.0, 0.25);
+  }
+  EXPECT_TRUE(people.movers().empty());
+}
+
+/** More and more of somebody who stands behind a corner: that is no walk. */
+TEST(SeenPeople, WhoComesIntoViewWithoutAStepIsNoMover) {
+  Seen people;
+  for (int k = 0; k < 10; ++k) {
+    PlanarScan scan = discAt(2.0, 0.0, 0.25);
+    const double hidden_rad = 0.12 - 0.06 * k;
+    for (std::size_t i = 0; i < scan.beam.size(); ++i)
+      if (std::asin(static_cast<double>(scan.sine[i])) > -hidden_rad)
+        scan.beam[i] = PlanarScan::Beam::NoReturn;
+    people.update({{&scan}, {}, {}}, 0.1 * k);
+  }
+  for (int k = 10; k < 15; ++k) {
+    const PlanarScan scan = discAt(2.0, 0.0, 0.25);
+    people.update({{&scan}, {}, {}}, 0.1 * k);
+  }
   EXPECT_TRUE(people.movers().empty());
 }
 
@@ -154,6 +196,34 @@ TEST(SeenPeople, APoleThatStandsIsAnObstacle) {
   EXPECT_FALSE(people.frontier().empty());
   for (int k = 1; k <= 11; ++k) people.update({{&scan}, {}, {}}, 0.1 * k);
   EXPECT_TRUE(people.frontier().empty());
+}
+
+/** The other side of a parcel that comes into view is not somebody, unless somebody may have come
+ * there. */
+TEST(SeenPeople, WhatIsNarrowWhereNobodyCanHaveComeIsAnObstacleAtOnce) {
+  const PlanarScan pole = discAt(1.0, 0.2, 0.05), person = discAt(1.0, 0.2, 0.25);
+  Seen far, near, wide;
+  far.reachedOnlyAt(2.5, 0.2);
+  far.update({{&pole}, {}, {}}, 0.0);
+  EXPECT_TRUE(far.frontier().empty());
+  near.reachedOnlyAt(1.2, 0.2);
+  near.update({{&pole}, {}, {}}, 0.0);
+  EXPECT_FALSE(near.frontier().empty());
+  wide.reachedOnlyAt(2.5, 0.2);
+  wide.update({{&person}, {}, {}}, 0.0);
+  EXPECT_FALSE(wide.frontier().empty());
+}
+
+/** A leg of somebody who was seen before, where the rest is not seen now. */
+TEST(SeenPeople, WhatIsNarrowNearSomebodyWhoWasSeenMayWalk) {
+  Seen people;
+  const PlanarScan person = discAt(1.5, 0.0, 0.25), none = discAt(1.5, 9.0, 0.1),
+                   leg = discAt(1.5, 0.9, 0.08);
+  people.update({{&person}, {}, {}}, 0.0);
+  people.reachedOnlyAt(-3.0, 0.0);
+  for (int k = 1; k < 6; ++k) people.update({{&none}, {}, {}}, 0.1 * k);
+  people.update({{&leg}, {}, {}}, 0.6);
+  EXPECT_FALSE(people.frontier().empty());
 }
 
 /** Of a person behind a wall that ends at y = 0.12 a strip is seen, as narrow as a pole. */

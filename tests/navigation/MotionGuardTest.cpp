@@ -56,16 +56,17 @@ TEST(MotionGuard, LeavesAnAdmissibleCommandAlone) {
   EXPECT_EQ(record.guard.hidden, 1);
 }
 
-/** Standing before a hidden place 0.5 m away, it waits for 6 s, then drives at 0.04 m/s at most. */
+/** Standing before a hidden place 0.5 m away, it waits for 10 s, then drives at 0.04 m/s at most.
+ */
 TEST(MotionGuard, CreepsAfterAWhile) {
   MotionGuard guard = motionGuard();
-  for (double t = 0.0; t < 5.95; t += 0.1)
+  for (double t = 0.0; t < 9.95; t += 0.1)
     ASSERT_EQ(cycle(guard, t, ahead(0.5), {}, {0.04, 0.0, 0.0}).motion.command.vx, 0.0) << t;
-  cycle(guard, 6.0, ahead(0.5), {}, {0.04, 0.0, 0.0});
-  const CycleRecord record = cycle(guard, 6.1, ahead(0.5), {}, {0.04, 0.0, 0.0});
+  cycle(guard, 10.0, ahead(0.5), {}, {0.04, 0.0, 0.0});
+  const CycleRecord record = cycle(guard, 10.1, ahead(0.5), {}, {0.04, 0.0, 0.0});
   EXPECT_EQ(record.motion.command.vx, 0.04);
   EXPECT_EQ(record.guard.lapse, Lapse::Creeping);
-  EXPECT_NEAR(cycle(guard, 6.2, ahead(0.5), {}, {0.05, 0.0, 0.0}).motion.command.vx, 0.04, 1e-9);
+  EXPECT_NEAR(cycle(guard, 10.2, ahead(0.5), {}, {0.05, 0.0, 0.0}).motion.command.vx, 0.04, 1e-9);
 }
 
 Frontier somebodyAhead(double x_m, FrontierPoint::Kind kind) {
@@ -105,13 +106,13 @@ TEST(MotionGuard, WaitsAndCreepsWhenWhatIsHiddenBehindAPersonBinds) {
     guard.finish({}, frontier, record);
     return record;
   };
-  for (double t = 0.0; t < 5.95; t += 0.1) {
+  for (double t = 0.0; t < 9.95; t += 0.1) {
     ASSERT_EQ(creep(t).motion.command.vx, 0.0) << t;
     EXPECT_TRUE(guard.isWaiting());
   }
-  creep(6.0);
-  EXPECT_EQ(creep(6.1).motion.command.vx, 0.04);
-  EXPECT_EQ(creep(6.2).guard.lapse, Lapse::Creeping);
+  creep(10.0);
+  EXPECT_EQ(creep(10.1).motion.command.vx, 0.04);
+  EXPECT_EQ(creep(10.2).guard.lapse, Lapse::Creeping);
 }
 
 /** The robot can brake to 0.5 m/s, for which somebody 2.01 m ahead is just too near. What ranges
@@ -131,19 +132,19 @@ TEST(MotionGuard, NoiseWithinTheMarginIsNoLapse) {
 /** Turning on the spot towards where it may creep, the robot does not begin to wait anew. */
 TEST(MotionGuard, TurningOnTheSpotIsNoReasonToWaitAgain) {
   MotionGuard guard = motionGuard();
-  for (double t = 0.0; t < 6.05; t += 0.1) {
+  for (double t = 0.0; t < 10.05; t += 0.1) {
     EXPECT_EQ(guard.isWaiting(), t > 0.05);
     cycle(guard, t, ahead(0.5), {}, {0.04, 0.0, 0.0});
   }
   EXPECT_FALSE(guard.isWaiting());
-  for (double t = 6.1; t < 7.0; t += 0.1) {
+  for (double t = 10.1; t < 11.0; t += 0.1) {
     CycleRecord record;
     record.time_s = t;
     guard.begin(record, ahead(0.5), t);
     record.motion.command = {0.0, 0.0, 0.3};
     guard.finish({}, ahead(0.5), record);
   }
-  EXPECT_EQ(cycle(guard, 7.1, ahead(0.5), {}, {0.04, 0.0, 0.0}).motion.command.vx, 0.04);
+  EXPECT_EQ(cycle(guard, 11.1, ahead(0.5), {}, {0.04, 0.0, 0.0}).motion.command.vx, 0.04);
 }
 
 TEST(MotionGuard, NeverCreepsWhenToldSo) {

@@ -37,7 +37,8 @@ class MotionPlannerTest : public testing::Test {
     inflation.apply(base, base.bounds(), costs);
   }
   Motion step() {
-    const Motion motion = planner.step({time_s, pose, twist, twist, path, goal, 0.0, guard}, costs);
+    const Motion motion = planner.step(
+        {time_s, pose, twist, twist, path, goal, 0.0, guard, movers, looksBehind}, costs);
     const TTwist2D allowed = limited(motion.command, twist, kLimits, kPeriod_s);
     EXPECT_NEAR(motion.command.vx, allowed.vx, 1e-9);
     EXPECT_NEAR(motion.command.omega, allowed.omega, 1e-9);
@@ -64,6 +65,8 @@ class MotionPlannerTest : public testing::Test {
   TTwist2D twist;
   std::vector<TPoint2D> path;
   const Guard* guard = nullptr;
+  const MoverForecast* movers = nullptr;
+  bool looksBehind = true;
   double time_s = 0.0;
 };
 
@@ -83,6 +86,48 @@ TEST_F(MotionPlannerTest, CreepsAlongThePathAwayFromSomebodyWhoStands) {
   }
   EXPECT_FALSE(beside.isBesideStanding());
   EXPECT_LT(pose.x, -0.2);
+}
+
+/** Somebody crosses right before the robot, which stands with its front in the way. */
+class MakesWay : public MotionPlannerTest {
+ protected:
+  void meet() {
+    guard = &binding;
+    drawPath(4.0, 0.0);
+    MoverForecast forecast({}, binding.robot(), binding.parameters());
+    movers = &forecast;
+    for (int k = 0; k < 40; ++k) {
+      const TPoint2D person{0.45, -2.0 + 0.1 * k};
+      const Frontier seen{
+          {static_cast<float>(person.x), static_cast<float>(person.y), FrontierPoint::Kind::Seen}};
+      binding.begin(pose, seen, 0.0, false);
+      forecast.begin(pose, {{person, {0.0, 1.0}}});
+      step();
+      nearest_m = std::min(nearest_m, (person - TPoint2D{pose.x, pose.y}).norm());
+      driven_m = std::min(driven_m, pose.x);
+    }
+  }
+  Guard binding{GuardParameters{}, kLimits, 0.25, kPeriod_s};
+  double nearest_m = 10.0, driven_m = 0.0;
+};
+
+TEST_F(MakesWay, ByDrivingBackAsFarAsNeeded) {
+  meet();
+  EXPECT_GT(nearest_m, 0.55);
+  EXPECT_LT(driven_m, -0.1);
+  EXPECT_GT(driven_m, -0.5);
+}
+
+TEST_F(MakesWay, NotWhereItDoesNotLook) {
+  looksBehind = false;
+  meet();
+  EXPECT_EQ(driven_m, 0.0);
+}
+
+TEST_F(MakesWay, NotIntoAWall) {
+  block(-0.5, -1.0, -0.4, 1.0);
+  meet();
+  EXPECT_GT(driven_m, -0.15);
 }
 
 TEST_F(MotionPlannerTest, DrivesToTheGoalAndTakesUpItsHeading) {

@@ -11,21 +11,26 @@ Movers crossing(double ahead_m, double speed_mps = 1.0) {
 }
 
 MoverForecast forecastOf(const Movers& movers, const mrpt::math::TPose2D& pose = {}) {
-  MoverForecast forecast({}, 0.25);
+  MoverForecast forecast({}, {0.25, 0.5, 0.2}, {});
   forecast.begin(pose, movers);
   return forecast;
 }
 
 TEST(MoverForecast, NobodyWalkingCostsNothing) {
-  EXPECT_TRUE(forecastOf({}).empty());
   EXPECT_EQ(forecastOf({}).cost({0.5, 0.0, 0.3}), 0.0);
 }
 
 TEST(MoverForecast, StandingClearOfThemCostsNothingAndDrivingIntoTheirWayDoes) {
   const auto forecast = forecastOf(crossing(1.2));
   EXPECT_EQ(forecast.cost({0.0, 0.0, 0.0}), 0.0);
-  EXPECT_GT(forecast.cost({0.5, 0.0, 0.0}), 1.0);  // both are there after 2 s
+  EXPECT_GT(forecast.cost({1.0, 0.0, 0.0}), 1.0);  // it cannot stop before their way any more
   EXPECT_LT(forecast.cost({0.1, 0.0, 0.0}), 1.0);
+}
+
+/** At 0.5 m/s it stands 0.35 m further on: soon enough to stop then, if they still come. */
+TEST(MoverForecast, WhoCanStillStopBeforeTheirWayIsNotInIt) {
+  EXPECT_EQ(forecastOf(crossing(1.4)).cost({0.5, 0.0, 0.0}), 0.0);
+  EXPECT_GT(forecastOf(crossing(1.2)).cost({0.5, 0.0, 0.0}), 0.0);
 }
 
 TEST(MoverForecast, StandingInTheirWayCostsMoreThanLeavingIt) {
@@ -34,8 +39,10 @@ TEST(MoverForecast, StandingInTheirWayCostsMoreThanLeavingIt) {
   EXPECT_LT(forecast.cost({0.5, 0.0, 0.0}), forecast.cost({0.0, 0.0, 0.0}));
 }
 
-TEST(MoverForecast, TheSoonerTheWorse) {
-  EXPECT_GT(forecastOf(crossing(0.0, 1.5)).cost({}), forecastOf(crossing(0.0, 0.8)).cost({}));
+/** Where meeting them cannot be helped, a way that leaves less of the robot in theirs is better. */
+TEST(MoverForecast, TheDeeperInTheirWayTheWorse) {
+  EXPECT_GT(forecastOf(crossing(0.0)).cost({}), forecastOf(crossing(0.3)).cost({}));
+  EXPECT_GT(forecastOf(crossing(0.3)).cost({}), forecastOf(crossing(0.5)).cost({}));
 }
 
 TEST(MoverForecast, WhoWalksAwayIsNoConcern) {

@@ -3,6 +3,7 @@
 #include <mrpt/maps/COccupancyGridMap2D.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -89,6 +90,8 @@ HiddenPeople::HiddenPeople(const HiddenPeopleParameters& parameters, double body
       possibleBits_(possible_.width(), possible_.height()),
       blockedBits_(possibleBits_),
       workBits_(possibleBits_),
+      solidBits_(possibleBits_),
+      reachedBits_(possibleBits_),
       // Rounded down: a person fits rather into too little than not into what is enough.
       personRadius_cells_(std::max(
           0, static_cast<int>(std::floor(parameters.radius_m / parameters.resolution_m - 0.5)))),
@@ -134,13 +137,15 @@ void HiddenPeople::recentre(const mrpt::math::TPose2D& mapFromRobot) {
   if (!static_) {
     fill(solid_, kNo);
     fill(mapped_, kNo);
+    solidBits_.clear();
     return;
   }
   static_->copyTo(solid_, solid_.bounds());
   for (int y = 0; y < solid_.height(); ++y)
     for (int x = 0; x < solid_.width(); ++x)
       solid_.at(x, y) = solid_.at(x, y) == kLethalCost ? kYes : kNo;
-  workBits_.assign(solid_);
+  solidBits_.assign(solid_);
+  workBits_ = solidBits_;
   const int reach =
       static_cast<int>(std::ceil(parameters_.mapTolerance_m / parameters_.resolution_m));
   for (int k = 0; k < reach; ++k) workBits_.growSquare();
@@ -169,6 +174,14 @@ void HiddenPeople::noteLooks(const ScanView& view) {
     if (view.looks(i)) lookedAt_s_[static_cast<std::size_t>(i)] = stamp_s_;
 }
 
+bool HiddenPeople::looksBehind() const {
+  constexpr std::ptrdiff_t kHalf = ScanView::kDirections / 12;  // 30° to each side
+  const double oldest_s = stamp_s_ - parameters_.lookMemory_s;
+  const auto isOld = [oldest_s](double time_s) { return time_s < oldest_s; };
+  return std::none_of(lookedAt_s_.begin(), lookedAt_s_.begin() + kHalf, isOld) &&
+         std::none_of(lookedAt_s_.end() - kHalf, lookedAt_s_.end(), isOld);
+}
+
 void HiddenPeople::markSurfaces(const ScanView& view, const mrpt::math::TPose2D& mapFromRobot) {
   const auto r = static_cast<float>(parameters_.resolution_m);
   const auto c = static_cast<float>(std::cos(mapFromRobot.phi));
@@ -193,9 +206,8 @@ void HiddenPeople::markSurfaces(const ScanView& view, const mrpt::math::TPose2D&
  * grid. Cells are taken before they are reached, never after; steps along four and eight neighbours
  * take turns, whose octagon holds the circle. */
 void HiddenPeople::grow(double distance_m) {
-  blockedBits_.assign(solid_);
-  workBits_.assign(surface_);
-  blockedBits_.add(workBits_);
+  blockedBits_.assign(surface_);
+  blockedBits_.add(solidBits_);
   workBits_.assign(standing_.cells());
   blockedBits_.add(workBits_);
   // Nor does anybody slip through a gap that is too narrow for a person.
@@ -217,12 +229,14 @@ void HiddenPeople::grow(double distance_m) {
   }
   possibleBits_.remove(blockedBits_);
   possibleBits_.copyTo(possible_, kYes, kNo);
+  reachedBits_ = possibleBits_;
 }
 
 void HiddenPeople::forgetOutsideView(const mrpt::math::TPose2D& mapFromRobot) {
+  std::array<Cost, ScanView::kDirections> away;
   const double oldest_s = stamp_s_ - parameters_.lookMemory_s;
-  const auto looksAway = [oldest_s](double time_s) { return time_s < oldest_s; };
-  if (std::none_of(lookedAt_s_.begin(), lookedAt_s_.end(), looksAway)) return;
+  for (std::size_t i = 0; i < away.size(); ++i) away[i] = lookedAt_s_[i] < oldest_s ? kYes : kNo;
+  if (std::count(away.begin(), away.end(), kYes) == 0) return;
   const auto offset = static_cast<float>(-mapFromRobot.phi * ScanView::kDirections / (2.0 * M_PI));
   for (int y = 0; y < possible_.height(); ++y) {
     polar(static_cast<float>(possible_.idx2x(0) - mapFromRobot.x),
@@ -231,11 +245,10 @@ void HiddenPeople::forgetOutsideView(const mrpt::math::TPose2D& mapFromRobot) {
           directions_.data(), squared_.data());
     Cost *row = possible_.row(y), *seen = seen_.row(y);
     for (int x = 0; x < possible_.width(); ++x) {
-      const int direction = directions_[static_cast<std::size_t>(x)];
-      if (!looksAway(lookedAt_s_[static_cast<std::size_t>(direction)])) continue;
-      row[x] = kNo;
-      seen[x] =
-          kYes;  // no room for somebody in the strip beside the view of a sensor off the centre
+      const Cost here = away[static_cast<std::size_t>(directions_[static_cast<std::size_t>(x)])];
+      row[x] = static_cast<Cost>(row[x] & ~here);
+      // No room for somebody in the strip beside the view of a sensor off the centre.
+      seen[x] = static_cast<Cost>(seen[x] | here);
     }
   }
 }
@@ -243,8 +256,7 @@ void HiddenPeople::forgetOutsideView(const mrpt::math::TPose2D& mapFromRobot) {
 void HiddenPeople::keepWhereSomebodyFits() {
   BitGrid& room = workBits_;
   room.assign(seen_);
-  possibleBits_.assign(solid_);
-  room.add(possibleBits_);
+  room.add(solidBits_);
   room.invert();
   room.openDisc(personRadius_cells_);
   possibleBits_.assign(possible_);
@@ -285,7 +297,6 @@ void HiddenPeople::floodFromRobot(const mrpt::math::TPose2D& mapFromRobot) {
 }
 
 void HiddenPeople::findFrontier(const mrpt::math::TPose2D& mapFromRobot) {
-  possibleBits_.assign(possible_);
   floodFromRobot(mapFromRobot);
   workBits_.growCross();
   workBits_.keep(possibleBits_);

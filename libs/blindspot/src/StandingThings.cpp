@@ -33,10 +33,13 @@ void StandingThings::follow(const CostGrid& place) {
 }
 
 void StandingThings::forget(const CostGrid& empty) {
-  for (int y = 0; y < stands_.height(); ++y)
-    for (int x = 0; x < stands_.width(); ++x)
+  for (int y = 0; y < stands_.height(); ++y) {
+    Cost any = kNo;
+    for (int x = 0; x < stands_.width(); ++x) any = static_cast<Cost>(any | stands_.at(x, y));
+    for (int x = 0; any == kYes && x < stands_.width(); ++x)
       if (stands_.at(x, y) == kYes && allAre(empty, around(empty, x, y, 1), kYes))
         stands_.at(x, y) = kNo;
+  }
 }
 
 void StandingThings::add(const mrpt::math::TPoint2D& from, const mrpt::math::TPoint2D& to) {

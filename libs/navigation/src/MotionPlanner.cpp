@@ -10,18 +10,22 @@
 namespace bslnav {
 
 using mrpt::math::TPoint2D;
+using mrpt::math::TTwist2D;
 
 namespace {
 
 constexpr double kTurnToCreep_rad = 0.35;
-constexpr double kCreepAhead_m = 0.3;  // who creeps heads for this point of the path
+constexpr double kInTheWay = 1.0;         // c_mov above which standing is
+constexpr double kBackingFrom_mps = 0.1;  // faster, it first brakes
+constexpr double kWorthBacking = 0.02;    // less of c_mov is not
+constexpr double kCreepAhead_m = 0.3;     // who creeps heads for this point of the path
 
 }  // namespace
 
 const char* nameOf(MotionMode mode) {
   static constexpr const char* kNames[] = {"idle",         "follow",         "rotate_to_path",
                                            "stop_at_goal", "rotate_to_goal", "back_off",
-                                           "arrived",      "failed"};
+                                           "make_way",     "arrived",        "failed"};
   return kNames[static_cast<int>(mode)];
 }
 
@@ -124,10 +128,13 @@ Motion MotionPlanner::follow(const Input& input, const CostGrid& costs) {
   const TPoint2D robot{input.mapFromRobot.x, input.mapFromRobot.y};
   const TPoint2D localGoal = pointAhead(input.path, robot, parameters_.lookahead_m);
   const double bearing = bearingTo(input.mapFromRobot, pointAhead(input.path, robot, 0.5));
-  const bool creeps = input.guard && (input.guard->mayCreep() || input.guard->isBesideStanding());
+  // Who is about to be met goes on planning, and neither turns nor creeps.
+  const bool inTheWay = input.movers && input.movers->cost({}) > kInTheWay;
+  const bool creeps =
+      !inTheWay && input.guard && (input.guard->mayCreep() || input.guard->isBesideStanding());
   const double turnAbove = creeps ? kTurnToCreep_rad : parameters_.rotateToPathAbove_rad;
   if (isStanding(input.twist) && std::abs(bearing) > turnAbove) turning_ = true;
-  if (std::abs(bearing) < 0.2) turning_ = false;
+  if (std::abs(bearing) < 0.2 || inTheWay) turning_ = false;
   if (turning_) {
     motion = rotate(MotionMode::RotateToPath, bearing, input, costs);
     motion.localGoal = localGoal;
@@ -135,18 +142,49 @@ Motion MotionPlanner::follow(const Input& input, const CostGrid& costs) {
     turning_ = false;
   }
   if (creeps) return creep(input, costs);
+  motion = plan(input, costs);
+  if (inTheWay) makeWay(input, costs, motion);
+  return motion;
+}
+
+Motion MotionPlanner::plan(const Input& input, const CostGrid& costs) {
+  const TPoint2D robot{input.mapFromRobot.x, input.mapFromRobot.y};
+  const TPoint2D localGoal = pointAhead(input.path, robot, parameters_.lookahead_m);
   const bool stops = input.passWithin_m == 0.0;
   const bool atEnd = (localGoal - input.path.back()).norm() < 1e-9;
   const double tolerance_m = stops ? parameters_.goalTolerance_m : input.passWithin_m;
   dwa_ = &planner_->plan({input.mapFromRobot, input.commandBase, input.path, localGoal,
                           atEnd ? tolerance_m : 0.0, atEnd && stops, input.guard, input.movers},
                          costs);
+  Motion motion;
   motion.mode = MotionMode::Follow;
   motion.planned = true;
   motion.localGoal = localGoal;
   motion.command = dwa_->command;
   motion.blocked = dwa_->status == DwaResult::Status::NoAdmissible;
   return motion;
+}
+
+/** Drives straight back out of the way of people who walk, where that leaves them more room than
+ * what was planned. */
+void MotionPlanner::makeWay(const Input& input, const CostGrid& costs, Motion& motion) const {
+  if (!input.looksBehind || input.twist.vx > kBackingFrom_mps) return;
+  TTwist2D wanted;
+  double least = dwa_->best < 0
+                     ? input.movers->cost({})
+                     : dwa_->candidates[static_cast<std::size_t>(dwa_->best)].terms.movers;
+  for (const double speed : {0.1, 0.2, 0.3}) {
+    const TTwist2D back{-std::min(speed, limits_.maxSpeed_mps), 0.0, 0.0};
+    const double cost = input.movers->cost(back);
+    if (cost > least - kWorthBacking || !isFree(back.vx, 0.0, input, costs)) continue;
+    if (input.guard && !input.guard->admitsTowards(back, input.commandBase)) continue;
+    wanted = back;
+    least = cost;
+  }
+  if (wanted.vx == 0.0) return;
+  motion.mode = MotionMode::MakeWay;
+  motion.blocked = false;
+  motion.command = limited(wanted, input.commandBase, limits_, controlPeriod_s_);
 }
 
 /** Keeps to the path: over the way of a few seconds, creeping candidates all but tie, and standing

@@ -24,7 +24,11 @@ NavigationCycle::NavigationCycle(const NavigationParameters& parameters,
       period_s_(parameters.cycle.period_s),
       surroundings_(parameters, map),
       route_(parameters),
-      movers_(parameters.movers, parameters.footprint.circumscribedRadius_m()),
+      movers_(
+          parameters.movers,
+          stoppingAbility(parameters.limits, parameters.guard,
+                          parameters.footprint.circumscribedRadius_m(), parameters.cycle.period_s),
+          parameters.guard),
       motionPlanner_(parameters.motion, parameters.recovery,
                      makeLocalPlanner(parameters, surroundings_.footprintCover()),
                      parameters.limits, surroundings_.footprintCover(), parameters.cycle.period_s) {
@@ -75,7 +79,7 @@ void NavigationCycle::move(const mrpt::math::TTwist2D& base) {
   if (people) movers_.begin(record_.mapFromRobot, people->movers());
   record_.motion = motionPlanner_.step(
       {record_.time_s, record_.mapFromRobot, record_.twist, base, record_.path, route_.goal(),
-       route_.passWithin_m(), guard, people ? &movers_ : nullptr},
+       route_.passWithin_m(), guard, people ? &movers_ : nullptr, people && people->looksBehind()},
       surroundings_.localCosts());
   if (record_.motion.planned) record_.dwa = motionPlanner_.dwa();
   if (guard_) guard_->finish(base, people->frontier(), record_);

@@ -7,6 +7,7 @@ namespace bslnav {
 namespace {
 
 constexpr double kStep_s = 0.2;
+constexpr double kTurns_s = 1.0;  // who follows a path does not turn for longer
 
 }  // namespace
 
@@ -35,30 +36,44 @@ void MoverForecast::begin(const mrpt::math::TPose2D& mapFromRobot, const Movers&
 
 double MoverForecast::cost(const mrpt::math::TTwist2D& command) const {
   if (movers_.empty()) return 0.0;
-  const double turn = command.omega * kStep_s;
-  const double cosine = std::cos(turn), sine = std::sin(turn);
-  const double chord = std::abs(turn) < 1e-6 ? 1.0 : std::sin(0.5 * turn) / (0.5 * turn);
-  const double c = std::cos(0.5 * turn), s = std::sin(0.5 * turn);
-  double dx = chord * kStep_s * (c * command.vx - s * command.vy);
-  double dy = chord * kStep_s * (s * command.vx + c * command.vy);
-  double x = 0.0, y = 0.0, worst = 0.0;
-  const double touching = robotRadius_m_ + parameters_.radius_m;
+  const double kept = worst(command, parameters_.horizon_s);
+  return kept > 0.0 ? std::min(kept, worst(command, kStep_s)) : 0.0;
+}
+
+/** The same for a velocity that is driven for a while and then braked from along its arc. */
+double MoverForecast::worst(const mrpt::math::TTwist2D& command, double drivenFor_s) const {
+  const double speed = std::max(1e-6, std::hypot(command.vx, command.vy));
+  const double touching = robot_.radius_m + parameters_.radius_m;
   const int steps = static_cast<int>(std::ceil(parameters_.horizon_s / kStep_s));
+  double x = 0.0, y = 0.0, heading = 0.0, worst = 0.0, admissible = speed;
   for (int k = 1; k <= steps; ++k) {
-    x += dx;
-    y += dy;
-    const double turnedX = cosine * dx - sine * dy;
-    dy = sine * dx + cosine * dy;
-    dx = turnedX;
     const double t = k * kStep_s;
-    for (const Relative& m : movers_) {
-      const double left = std::hypot(m.x + t * m.vx - x, m.y + t * m.vy - y) - touching;
-      if (left >= parameters_.clearance_m) continue;
-      if (left <= 0.0) return 2.0 - t / (steps * kStep_s);  // the first to meet the robot
-      worst = std::max(worst, 1.0 - left / parameters_.clearance_m);
+    const double braked_s = std::max(0.0, t - 0.5 * kStep_s - drivenFor_s);
+    const double now = std::min(admissible, speed - robot_.deceleration_mps2 * braked_s);
+    if (now > 0.0) {
+      const double part = kStep_s * now / speed;
+      const double turn = t <= kTurns_s ? part * command.omega : 0.0;
+      const double middle = heading + 0.5 * turn;
+      const double c = std::cos(middle), s = std::sin(middle);
+      x += part * (c * command.vx - s * command.vy);
+      y += part * (s * command.vx + c * command.vy);
+      heading += turn;
     }
+    double nearest = kGuardReach_m;
+    for (const Relative& m : movers_)
+      nearest = std::min(nearest, std::hypot(m.x + t * m.vx - x, m.y + t * m.vy - y));
+    const double left = nearest - touching;
+    worst = std::max(worst, 1.0 - left / (left > 0.0 ? parameters_.clearance_m : touching));
+    admissible = std::min(speed, admissibleSpeed_mps(nearest));
   }
   return worst;
+}
+
+/** The guard's bound for somebody who might come from there. */
+double MoverForecast::admissibleSpeed_mps(double distance_m) const {
+  const double left_m = distance_m - robot_.radius_m - margin_m_;
+  const double time_s = left_m / std::max(1e-3, personSpeed_mps_) - robot_.reaction_s;
+  return std::max(0.0, robot_.deceleration_mps2 * time_s);
 }
 
 }  // namespace bslnav

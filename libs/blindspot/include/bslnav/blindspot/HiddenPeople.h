@@ -60,8 +60,12 @@ class HiddenPeople {
   const Frontier& frontier() const { return frontier_; }
   /** The time that the state is of. */
   double stamp_s() const { return stamp_s_; }
+  /** Whether all directions behind the robot were looked at, within the look memory. */
+  bool looksBehind() const;
   /** 255 where somebody may be, else 0. */
   const CostGrid& possible() const { return possible_; }
+  /** Where somebody unseen can have got to by now, before what is seen now. */
+  const BitGrid& reached() const { return reachedBits_; }
   /** 255 where a hit is the map's: near its occupied cells; else 0. */
   const CostGrid& mapped() const { return mapped_; }
   /** The obstacles that keep people from walking, where they are not in the map. */
@@ -86,6 +90,7 @@ class HiddenPeople {
   CostGrid possible_, seen_, surface_, solid_, mapped_;
   StandingThings standing_;
   BitGrid possibleBits_, blockedBits_, workBits_;  // blocked: by walls and obstacles
+  BitGrid solidBits_, reachedBits_;
   int personRadius_cells_;
   ScanView view_;
   std::vector<int> directions_;  // of the cells of a row

@@ -19,6 +19,7 @@ enum class MotionMode : std::uint8_t {
   StopAtGoal,
   RotateToGoal,
   BackOff,
+  MakeWay,
   Arrived,
   Failed
 };
@@ -63,6 +64,7 @@ class MotionPlanner {
     double passWithin_m = 0.0;     ///< above 0: a waypoint, passed this near without stopping
     const Guard* guard = nullptr;  ///< what it refuses is no candidate
     const MoverForecast* movers = nullptr;  ///< whom not to be in the way of
+    bool looksBehind = false;               ///< whether it may drive back for them
   };
 
   Motion step(const Input& input, const CostGrid& costs);
@@ -78,7 +80,9 @@ class MotionPlanner {
 
  private:
   Motion follow(const Input& input, const CostGrid& costs);
+  Motion plan(const Input& input, const CostGrid& costs);
   Motion creep(const Input& input, const CostGrid& costs);
+  void makeWay(const Input& input, const CostGrid& costs, Motion& motion) const;
   Motion rotate(MotionMode mode, double error_rad, const Input& input, const CostGrid& costs);
   Motion backOff(const Input& input, const CostGrid& costs);
   Motion arrive(const Input& input, const CostGrid& costs);

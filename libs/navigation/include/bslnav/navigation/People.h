@@ -33,6 +33,8 @@ class People {
   const Frontier& frontier() const { return frontier_; }
   /** Those who are seen walking. */
   const Movers& movers() const { return seen_.movers(); }
+  /** Whether whoever comes from behind would be seen. */
+  bool looksBehind() const { return hidden_.looksBehind(); }
   /** When the frontier was seen. */
   double stamp_s() const { return hidden_.stamp_s(); }
 

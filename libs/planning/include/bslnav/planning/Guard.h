@@ -18,7 +18,7 @@ struct GuardParameters {
   double latency_s = 0.1;              ///< from a command to its effect, besides the period
   double margin_m = 0.08;  ///< noise of ranges and pose, half a cell of the grid of hidden people
   double noise_m = 0.04;   ///< so much of the margin may noise use up without a lapse
-  double creepAfter_s = 6.0;     ///< standing so long with nothing admissible, the robot may creep
+  double creepAfter_s = 10.0;    ///< standing so long with nothing admissible, the robot may creep
   double creepSpeed_mps = 0.04;  ///< 0: it never does
 
   void describe(ConfigSection& section);

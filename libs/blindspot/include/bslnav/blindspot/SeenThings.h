@@ -1,0 +1,78 @@
+#pragma once
+
+#include <bslnav/blindspot/BitGrid.h>
+#include <bslnav/blindspot/SeenPeopleParameters.h>
+#include <bslnav/blindspot/StandingThings.h>
+#include <bslnav/costmap/CostGrid.h>
+#include <bslnav/costmap/PlanarScan.h>
+#include <mrpt/math/TPose2D.h>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace bslnav {
+
+/** Joins the hits that neither the map nor an obstacle explains to things, in the order of the
+ * beams. What is straight over a length is an obstacle; what cameras see to be low is said so. */
+class SeenThings {
+ public:
+  /** In one robot frame. Where several see the same thing, the first one's is told apart. */
+  struct Views {
+    std::vector<const PlanarScan*> lasers;
+    std::vector<const PlanarScan*> cameras;    ///< PersonVisibility's
+    std::vector<const PlanarScan*> obstacles;  ///< DepthScan's: tell how high things are
+  };
+
+  /** What is known of the same place besides. */
+  struct Place {
+    const CostGrid& mapped;    ///< 255: a hit there is the map's
+    StandingThings& standing;  ///< the obstacles that were found, and gets those that are
+    const BitGrid& reached;    ///< where somebody unseen can have got to by now; cells of `mapped`
+  };
+
+  struct Thing {
+    std::size_t first, count;  ///< of points()
+    mrpt::math::TPoint2D middle;
+    double width_m;
+    bool isCovered;                      ///< something nearer hides how far it goes on
+    std::optional<bool> isLow;           ///< nullopt: not seen whole
+    std::optional<std::size_t> another;  ///< index of the same thing in a scan before
+  };
+
+  explicit SeenThings(const SeenPeopleParameters& parameters) : parameters_(parameters) {}
+
+  void find(const Views& views, const mrpt::math::TPose2D& mapFromRobot, const Place& place);
+
+  const std::vector<Thing>& things() const { return things_; }
+  /** Map frame. */
+  const std::vector<mrpt::math::TPoint2D>& points() const { return points_; }
+  /** Those of straight obstacles, along them. */
+  const std::vector<mrpt::math::TPoint2D>& straight() const { return straight_; }
+
+ private:
+  enum class Is : std::uint8_t { New, Mapped, Standing, Straight };  // what explains a hit
+  struct Top {                                                       // of a hit with a height
+    mrpt::math::TPoint2D at;
+    double height_m;
+    bool isWhole;  // the view there reaches above the lowest people
+  };
+
+  void findThings(const PlanarScan& scan, const mrpt::math::TPose2D& mapFromRobot,
+                  const Place& place);
+  void addThings(std::size_t first, std::size_t others, bool coveredBefore, bool coveredAfter);
+  void findStraight(std::size_t first, std::size_t last);
+  void addThing(std::size_t first, std::size_t end, std::size_t others, bool isCovered);
+  std::optional<std::size_t> findAnother(const Thing& thing, std::size_t others) const;
+  void findTops(const std::vector<const PlanarScan*>& scans,
+                const mrpt::math::TPose2D& mapFromRobot);
+  std::optional<bool> isLow(const Thing& thing) const;
+
+  SeenPeopleParameters parameters_;
+  std::vector<mrpt::math::TPoint2D> points_, straight_;
+  std::vector<Is> is_;  // of points_
+  std::vector<Top> tops_;
+  std::vector<Thing> things_;
+};
+
+}  // namespace bslnav

@@ -1,0 +1,183 @@
+#include <bslnav/blindspot/SeenThings.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace bslnav {
+namespace {
+
+using mrpt::math::TPoint2D;
+
+constexpr double kStraight_m = 0.03;  // hits of something straight lie so near to a line
+
+TPoint2D endOf(const PlanarScan& scan, std::size_t beam, const mrpt::math::TPose2D& mapFromRobot) {
+  const auto& sensor = scan.robotFromSensor();
+  const double range_m = scan.range_m[beam];
+  return mapFromRobot.composePoint(
+      TPoint2D{sensor.x + range_m * scan.cosine[beam], sensor.y + range_m * scan.sine[beam]});
+}
+
+/** Whether the beam beside one (`side` -1 or 1) ends on something nearer, or on what is next to it:
+ * then what the one hits may go on there, as it may at the edge of the view. */
+bool isCovered(const PlanarScan& scan, std::size_t beam, int side, double gap_m) {
+  const auto step = static_cast<std::size_t>(side);  // below 0: beyond the end
+  for (std::size_t k = beam + step; k < scan.beam.size(); k += step)
+    if (scan.beam[k] != PlanarScan::Beam::Dropped)
+      return scan.beam[k] == PlanarScan::Beam::Hit && scan.range_m[k] < scan.range_m[beam] + gap_m;
+  return true;
+}
+
+}  // namespace
+
+void SeenThings::find(const Views& views, const mrpt::math::TPose2D& mapFromRobot,
+                      const Place& place) {
+  points_.clear();
+  is_.clear();
+  things_.clear();
+  straight_.clear();
+  for (const PlanarScan* scan : views.lasers) findThings(*scan, mapFromRobot, place);
+  findTops(views.obstacles, mapFromRobot);
+  for (Thing& thing : things_) thing.isLow = isLow(thing);
+  for (const PlanarScan* scan : views.cameras) findThings(*scan, mapFromRobot, place);
+}
+
+void SeenThings::findThings(const PlanarScan& scan, const mrpt::math::TPose2D& mapFromRobot,
+                            const Place& place) {
+  const std::size_t others = things_.size();
+  std::size_t first = points_.size(), firstBeam = 0, lastBeam = 0;
+  const auto add = [&] {
+    if (points_.size() == first) return;
+    addThings(first, others, isCovered(scan, firstBeam, -1, parameters_.clusterGap_m),
+              isCovered(scan, lastBeam, 1, parameters_.clusterGap_m));
+  };
+  for (std::size_t k = 0; k < scan.beam.size(); ++k) {
+    if (scan.beam[k] != PlanarScan::Beam::Hit) continue;
+    const TPoint2D p = endOf(scan, k, mapFromRobot);
+    const int x = place.mapped.cellX(p.x), y = place.mapped.cellY(p.y);
+    if (!place.mapped.bounds().contains(x, y)) continue;
+    const bool joined =
+        points_.size() > first && (points_.back() - p).norm() <= parameters_.clusterGap_m;
+    if (!joined) {
+      add();
+      first = points_.size();
+      firstBeam = k;
+    }
+    points_.push_back(p);
+    const bool mapped = place.mapped.at(x, y) != 0;
+    const bool stands = mapped || place.standing.isNear(p, parameters_.standingTolerance_m);
+    is_.push_back(mapped ? Is::Mapped : stands ? Is::Standing : Is::New);
+    lastBeam = k;
+  }
+  add();
+}
+
+/** Makes things of joined hits, from `first` on: what is straight is an obstacle, and each run of
+ * hits that nothing explains is a thing for itself.
+ *  @param others so many things are of the scans before */
+void SeenThings::addThings(std::size_t first, std::size_t others, bool coveredBefore,
+                           bool coveredAfter) {
+  findStraight(first, points_.size() - 1);
+  for (std::size_t i = first; i < points_.size();) {
+    if (is_[i] == Is::Straight) straight_.push_back(points_[i]);
+    if (is_[i] != Is::New) {
+      ++i;
+      continue;
+    }
+    const std::size_t from = i;
+    while (i < points_.size() && is_[i] == Is::New) ++i;
+    const bool covered = from > first || coveredBefore || i < points_.size() || coveredAfter;
+    addThing(from, i, others, covered);
+  }
+}
+
+/** Notes the pieces between two hits that are too long and straight for a person: between the ends
+ * of a piece all hits are near its chord, else it is halved where one is farthest from it. */
+void SeenThings::findStraight(std::size_t first, std::size_t last) {
+  const TPoint2D chord = points_[last] - points_[first];
+  const double length = chord.norm();
+  std::size_t farthest = first;
+  double most = kStraight_m;
+  double widest = length;  // a thing may come back to where it begins
+  for (std::size_t i = first + 1; i < last; ++i) {
+    const TPoint2D p = points_[i] - points_[first];
+    const double off = length > 1e-6 ? std::abs(chord.x * p.y - chord.y * p.x) / length : p.norm();
+    widest = std::max(widest, p.norm());
+    if (off <= most) continue;
+    most = off;
+    farthest = i;
+  }
+  if (widest < parameters_.straight_m) return;
+  if (farthest == first) {
+    if (length < parameters_.straight_m) return;
+    for (std::size_t i = first; i <= last; ++i)
+      if (is_[i] != Is::Mapped) is_[i] = Is::Straight;
+    return;
+  }
+  findStraight(first, farthest);
+  findStraight(farthest, last);
+}
+
+void SeenThings::addThing(std::size_t first, std::size_t end, std::size_t others, bool isCovered) {
+  TPoint2D sum;
+  double width = 0.0;
+  for (std::size_t i = first; i < end; ++i) {
+    sum += points_[i];
+    width = std::max(width, (points_[i] - points_[first]).norm());
+  }
+  const auto count = end - first;
+  Thing thing{first,        count,       sum * (1.0 / static_cast<double>(count)), width, isCovered,
+              std::nullopt, std::nullopt};
+  thing.another = findAnother(thing, others);
+  things_.push_back(thing);
+}
+
+/** The thing in a scan before that this one touches. Low ones do not count: who stands behind one
+ * is seen above it. */
+std::optional<std::size_t> SeenThings::findAnother(const Thing& thing, std::size_t others) const {
+  const double gap_m = parameters_.clusterGap_m;
+  for (std::size_t k = 0; k < others; ++k) {
+    const Thing& other = things_[k];
+    if (other.another || other.isLow.value_or(false)) continue;
+    // No point is farther from the middle than twice the width.
+    const double farthest_m = gap_m + 2.0 * (thing.width_m + other.width_m);
+    if ((thing.middle - other.middle).norm() > farthest_m) continue;
+    for (std::size_t i = other.first; i < other.first + other.count; ++i)
+      for (std::size_t j = thing.first; j < thing.first + thing.count; ++j)
+        if ((points_[i] - points_[j]).sqrNorm() <= gap_m * gap_m) return k;
+  }
+  return std::nullopt;
+}
+
+void SeenThings::findTops(const std::vector<const PlanarScan*>& scans,
+                          const mrpt::math::TPose2D& mapFromRobot) {
+  tops_.clear();
+  for (const PlanarScan* scan : scans)
+    for (std::size_t k = 0; k < scan->beam.size(); ++k) {
+      if (scan->beam[k] != PlanarScan::Beam::Hit) continue;
+      const double highestView_m =
+          scan->sensorHeight_m + static_cast<double>(scan->range_m[k] * scan->steepest[k]);
+      tops_.push_back({endOf(*scan, k, mapFromRobot), static_cast<double>(scan->top_m[k]),
+                       highestView_m >= parameters_.lowest_m});
+    }
+}
+
+/** Whether what is seen near all points of a thing is lower than people; nullopt if part of that
+ * was not seen, or not up to their height. */
+std::optional<bool> SeenThings::isLow(const Thing& thing) const {
+  if (thing.width_m > parameters_.widest_m) return std::nullopt;  // nor does it matter
+  const double gap_m = parameters_.clusterGap_m;
+  bool whole = true;
+  for (std::size_t i = thing.first; i < thing.first + thing.count; ++i) {
+    bool found = false;
+    for (const Top& top : tops_) {
+      if ((top.at - points_[i]).sqrNorm() > gap_m * gap_m) continue;
+      if (top.height_m >= parameters_.lowest_m) return false;
+      found = true;
+      whole = whole && top.isWhole;
+    }
+    whole = whole && found;
+  }
+  return whole ? std::optional<bool>(true) : std::nullopt;
+}
+
+}  // namespace bslnav
