@@ -12,7 +12,7 @@ macro(bslnav_find)
   endif()
 endmacro()
 
-foreach(component IN ITEMS config containers kinematics maps math nav obs opengl random slam system)
+foreach(component IN ITEMS comms config containers hwdrivers kinematics maps math nav obs opengl random slam system)
   bslnav_find(mrpt-${component})
 endforeach()
 bslnav_find(OpenCV COMPONENTS core imgproc imgcodecs)

@@ -1,0 +1,1 @@
+#include <bslnav/hardware/Base.h>
