@@ -1,0 +1,176 @@
+#include <bslnav/config/Error.h>
+#include <bslnav/hardware/CreateBase.h>
+#include <mrpt/core/Clock.h>
+
+#include <array>
+#include <cmath>
+
+namespace bslnav {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr int kReadTimeout_ms = 2;         // a command waits that long, too
+constexpr auto kModeChange = 20ms;         // what the robot needs between two of them
+constexpr auto kFirstFrame = 1s;           // frames come every 15 ms
+constexpr auto kRepeat = 50ms;             // a command that was damaged on its way counts so long
+constexpr auto kSafeModeInterval = 200ms;  // a robot in its dock stays passive, whoever asks
+
+std::string device(const std::string& port) { return port[0] == '/' ? port : "/dev/" + port; }
+
+double seconds(std::chrono::steady_clock::time_point time) {
+  return std::chrono::duration<double>(time.time_since_epoch()).count();
+}
+
+}  // namespace
+
+CreateBase::CreateBase(const CreateParameters& parameters)
+    : parameters_(parameters),
+      keeper_(device(parameters.port), create::fullStop()),
+      odometry_(parameters) {
+  try {
+    open();
+    waitForFrame();
+  } catch (const Error&) {
+    throw;
+  } catch (const std::exception& problem) {
+    throw Error(parameters_.port, "cannot be used as a serial port: " + std::string(problem.what()),
+                Error::Kind::Run);
+  }
+  reader_ = std::thread(&CreateBase::run, this);
+}
+
+CreateBase::~CreateBase() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    ending_ = true;
+  }
+  reader_.join();
+}
+
+void CreateBase::open() {
+  port_.open(device(parameters_.port));
+  port_.setConfig(parameters_.baud);
+  port_.setTimeouts(0, 0, kReadTimeout_ms, 0, 0);
+  write(create::start());
+  std::this_thread::sleep_for(kModeChange);
+  write(create::safe());
+  std::this_thread::sleep_for(kModeChange);
+  write(create::fullStop() + create::stream());
+}
+
+void CreateBase::waitForFrame() {
+  const auto until = Clock::now() + kFirstFrame;
+  while (state_.stamp_s == 0.0) {
+    if (Clock::now() > until)
+      throw Error(parameters_.port,
+                  "no robot answers: expected a Create 2 or Roomba, switched on, at " +
+                      std::to_string(parameters_.baud) + " baud",
+                  Error::Kind::Run);
+    receive();
+  }
+}
+
+BaseState CreateBase::state() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  requireLine();
+  return state_;
+}
+
+void CreateBase::drive(const mrpt::math::TTwist2D& command) {
+  const bool finite = std::isfinite(command.vx) && std::isfinite(command.omega);
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    requireLine();
+    wanted_ = finite ? command : mrpt::math::TTwist2D();
+    wantedAt_ = Clock::now();
+  }
+  if (!finite) throw Error(parameters_.port, "a command is not a finite number", Error::Kind::Run);
+}
+
+void CreateBase::stop() noexcept {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  wanted_ = {};
+}
+
+std::size_t CreateBase::badChecksums() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return badChecksums_;
+}
+
+bool CreateBase::isEnding() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return ending_;
+}
+
+void CreateBase::requireLine() const {
+  if (!lost_.empty()) throw Error(parameters_.port, lost_, Error::Kind::Run);
+}
+
+void CreateBase::run() noexcept {
+  try {
+    while (!isEnding()) {
+      receive();
+      askForSafeMode();
+      sendWheels();
+    }
+    write(create::fullStop());
+  } catch (const std::exception& problem) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    lost_ = "the line to the robot is gone: " + std::string(problem.what());
+  }
+}
+
+void CreateBase::receive() {
+  std::array<std::uint8_t, 256> bytes{};
+  const std::size_t count = port_.Read(bytes.data(), bytes.size());
+  for (std::size_t i = 0; i < count; ++i)
+    if (const auto sensors = parser_.feed(bytes[i])) take(*sensors);
+  if (!port_.isOpen()) throw std::runtime_error("is it unplugged?");
+  const std::lock_guard<std::mutex> lock(mutex_);
+  badChecksums_ = parser_.badChecksums();
+}
+
+void CreateBase::take(const CreateSensors& sensors) {
+  sensors_ = sensors;
+  odometry_.add(sensors.leftCounts, sensors.rightCounts, seconds(Clock::now()));
+  const std::lock_guard<std::mutex> lock(mutex_);
+  state_.stamp_s = mrpt::Clock::nowDouble();
+  state_.odometry = odometry_.pose();
+  state_.twist = odometry_.twist();
+  state_.halt = sensors.halt();
+}
+
+/** A wheel drop, or a cliff, makes the robot passive: it would never drive again. */
+void CreateBase::askForSafeMode() {
+  if (sensors_.wheelDrop || sensors_.cliff) {
+    leftSafeMode_ = true;  // whatever mode it tells: firmware that counts from 1 calls passive 2
+    return;
+  }
+  if (sensors_.takesCommands() && !leftSafeMode_) return;
+  if (Clock::now() - askedForSafeModeAt_ < kSafeModeInterval) return;
+  write(create::safe());
+  leftSafeMode_ = false;
+  askedForSafeModeAt_ = Clock::now();
+}
+
+CreateWheels CreateBase::permittedWheels() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::chrono::duration<double> age = Clock::now() - wantedAt_;
+  if (age.count() > parameters_.commandTimeout_s) return {};
+  if (sensors_.wheelDrop || !sensors_.takesCommands()) return {};
+  if ((sensors_.cliff || sensors_.bump()) && wanted_.vx > 0.0) return {};
+  return wheelsOf(wanted_, parameters_);
+}
+
+void CreateBase::sendWheels() {
+  const CreateWheels wheels = permittedWheels();
+  if (wheels == sent_ && Clock::now() - sentAt_ < kRepeat) return;
+  write(create::driveDirect(wheels));
+  sent_ = wheels;
+  sentAt_ = Clock::now();
+}
+
+void CreateBase::write(std::string_view bytes) { port_.Write(bytes.data(), bytes.size()); }
+
+}  // namespace bslnav
