@@ -1,4 +1,5 @@
-// Drives a robot to its goal: in the simulator now; what the configuration describes is what moves.
+// Drives a robot to its goal, in the simulator or a real one: what the configuration describes is
+// what moves.
 #include <bslnav/config/Error.h>
 #ifdef BSLNAV_WITH_MVSIM
 #include <bslnav/mvsim/MvsimSimulator.h>
@@ -8,6 +9,7 @@
 #include <memory>
 
 #include "CommandLine.h"
+#include "HardwareDrive.h"
 #include "RecordedDrive.h"
 #include "SummaryTable.h"
 
@@ -27,8 +29,10 @@ bslnav::SimulationEngines availableEngines() {
 int drive(const bslnav::CommonOptions& options) {
   using namespace bslnav;
   SimulationSetup setup;
+  HardwareSetup hardware;
   Config config;
   setup.bind(config);
+  hardware.bind(config);
   options.load(config);
   if (options.printConfig) {
     config.print(std::cout);
@@ -36,8 +40,9 @@ int drive(const bslnav::CommonOptions& options) {
   }
   if (options.configs.empty())
     throw Error("CONFIG", "no configuration; expected bslnav CONFIG.ini, see --help");
-  return exitCodeOf(
-      driveRecorded(setup, config, {options.seed, options.out, options.quiet}, availableEngines()));
+  const DriveOptions drive{options.seed, options.out, options.quiet};
+  return exitCodeOf(setup.isSimulated() ? driveRecorded(setup, config, drive, availableEngines())
+                                        : driveHardware(setup, hardware, config, drive));
 }
 
 }  // namespace

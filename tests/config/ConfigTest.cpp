@@ -59,6 +59,24 @@ TEST_F(ConfigTest, RepeatedSectionsMakeOneEntryEach) {
   EXPECT_EQ(walls.at("right").height_m, 2.0);  // the default
 }
 
+/** As MRPT's programs have them: whatever keys they need. */
+TEST_F(ConfigTest, SectionsWithAMarkerAreTakenOverAsTheyAre) {
+  std::map<std::string, Config::FreeSection> drivers;
+  config.bindFree("driver", "A sensor.", drivers);
+  config.load({file("[front]\ndriver = CHokuyoURG\nCOM_port_LIN = /dev/ttyACM0\n", "a.ini"),
+               file("[front]\npose_x = 0.1\n[robot]\ncount = 4\n", "b.ini")},
+              {"front.pose_x=0.2"});
+  EXPECT_EQ(robot.count, 4);
+  ASSERT_EQ(drivers.size(), 1u);
+  EXPECT_THAT(drivers.at("front"),
+              ElementsAre(Pair("COM_port_LIN", "/dev/ttyACM0"), Pair("driver", "CHokuyoURG"),
+                          Pair("pose_x", "0.2")));
+  std::ostringstream printed;
+  config.print(printed);
+  EXPECT_THAT(printed.str(), HasSubstr("[front]\nCOM_port_LIN = /dev/ttyACM0\n"));
+  EXPECT_THROW(config.load({file("[back]\npose_x = 0.1\n")}), Error);
+}
+
 TEST_F(ConfigTest, DefinesAndExpressionsAreEvaluated) {
   load("@define HALF 1.5\n[robot]\nspeed_mps = ${HALF}\ncount = $eval{2*HALF}\n");
   EXPECT_EQ(robot.speed_mps, 1.5);

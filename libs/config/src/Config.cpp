@@ -83,8 +83,33 @@ ConfigSection& Config::section(const std::string& where, const std::string& name
   throw Error(where + " [" + name + "]", "unknown section" + suggestion(name, known));
 }
 
+Config::FreeSection* Config::findFree(const std::string& name) {
+  for (const auto& free : free_) {
+    const auto found = free.sections->find(name);
+    if (found != free.sections->end()) return &found->second;
+  }
+  return nullptr;
+}
+
+/** Returns whether the section is one of somebody else's. */
+bool Config::loadFree(const mrpt::config::CConfigFileBase& ini, const std::string& name) {
+  if (findOrMakeSection(name)) return false;
+  FreeSection* section = findFree(name);
+  for (const auto& free : free_)
+    if (!section && ini.keyExists(name, free.marker)) section = &(*free.sections)[name];
+  if (!section) return false;
+  std::vector<std::string> keys;
+  ini.getAllKeys(name, keys);
+  for (const auto& key : keys) (*section)[key] = ini.read_string(name, key, "");
+  return true;
+}
+
 void Config::set(const std::string& where, const std::string& sectionName, const std::string& key,
                  const std::string& value) {
+  if (FreeSection* free = findFree(sectionName)) {
+    (*free)[key] = value;
+    return;
+  }
   std::vector<std::string> known;
   for (const auto& field : section(where, sectionName).fields()) {
     known.push_back(field.key);
@@ -123,6 +148,7 @@ void Config::loadFile(const std::string& file) {
 
 void Config::loadSection(const mrpt::config::CConfigFileBase& ini, const std::string& where,
                          const std::string& name) {
+  if (loadFree(ini, name)) return;
   section(where, name);
   std::vector<std::string> keys;
   ini.getAllKeys(name, keys);
@@ -159,11 +185,20 @@ void Config::print(std::ostream& out) const {
     ConfigSection example(repeated.kind + ":NAME", repeated.description);
     repeated.withDefaults(example, [&] { printSection(example, "; ", out); });
   }
+  for (const auto& free : free_)
+    for (const auto& [name, section] : *free.sections) {
+      out << "; " << free.description << "\n[" << name << "]\n";
+      for (const auto& [key, value] : section) out << key << " = " << value << "\n";
+      out << "\n";
+    }
 }
 
 void Config::copyTo(mrpt::config::CConfigFileBase& file) const {
   for (const auto& section : sections_)
     for (const auto& field : section.fields()) file.write(section.name(), field.key, field.write());
+  for (const auto& free : free_)
+    for (const auto& [name, section] : *free.sections)
+      for (const auto& [key, value] : section) file.write(name, key, value);
 }
 
 void Config::refuse(const std::string& section, const std::string& key,

@@ -44,7 +44,7 @@ void RawlogSetup::check() const {
   if (mapOfWorld && lasers.empty())
     Config::refuse("laser:NAME", "z_m", "a laser, at whose height [scenario] map = world is made");
   if (takesRecordedPoses()) return;
-  if (localization.source == PoseSource::Truth)
+  if (localization.source == PoseSource::Truth || localization.source == PoseSource::External)
     Config::refuse("localization", "source",
                    "odometry or particle_filter: a log does not tell the truth");
   const bool noMap = rawlog.map == "none" || rawlog.map == "log" ||

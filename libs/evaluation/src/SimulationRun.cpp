@@ -14,6 +14,7 @@ std::unique_ptr<Localization> makeLocalization(
     std::uint64_t seed) {
   switch (setup.localization.source) {
     case PoseSource::Truth:
+    case PoseSource::External:  // check() has refused it
       return nullptr;
     case PoseSource::Odometry:
       return std::make_unique<OdometryLocalization>(setup.scenario.start);

@@ -13,15 +13,24 @@ constexpr double kSurveyHeight_m = 0.25;  // of a map of the world for a robot w
 }  // namespace
 
 void RobotParameters::describe(ConfigSection& section) {
-  section.choice("type", type, {{"simulated", RobotType::Simulated}}, "what moves");
+  section.choice(
+      "type", type,
+      {{"simulated", RobotType::Simulated},
+       {"create", RobotType::Create},
+       {"text", RobotType::Text},
+       {"plugin", RobotType::Plugin}},
+      "what moves: a simulated robot; an iRobot Create 2 or Roomba ([create]); a base that "
+      "speaks bslnav's text protocol ([text_base]); a base from a shared library");
 }
 
 void LocalizationParameters::describe(ConfigSection& section) {
   section.choice("source", source,
                  {{"truth", PoseSource::Truth},
                   {"odometry", PoseSource::Odometry},
-                  {"particle_filter", PoseSource::ParticleFilter}},
-                 "where the robot's pose comes from; the truth is known only in simulation");
+                  {"particle_filter", PoseSource::ParticleFilter},
+                  {"external", PoseSource::External}},
+                 "where the robot's pose comes from; the truth is known only in simulation, an "
+                 "external pose only from a real base that localises itself");
 }
 
 void ScenarioParameters::describe(ConfigSection& section) {
@@ -93,6 +102,16 @@ void SimulationSetup::check() const {
   navigation.check();
   world.check();
   if (scenario.goals.empty()) Config::refuse("scenario", "goals", "at least one pose");
+  if (isSimulated()) checkSimulated();
+  const bool suits = isSimulated() ? localization.source != PoseSource::External
+                                   : localization.source != PoseSource::Truth;
+  if (!suits)
+    Config::refuse("localization", "source",
+                   isSimulated() ? "truth, odometry or particle_filter of a simulated robot"
+                                 : "odometry, particle_filter or external of a real robot");
+}
+
+void SimulationSetup::checkSimulated() const {
   const RobotLimits& limits = navigation.limits;
   const auto canDo = [](double planned, double base, const std::string& key) {
     if (planned > base + 1e-9)

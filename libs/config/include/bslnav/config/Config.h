@@ -24,6 +24,9 @@ namespace bslnav {
  */
 class Config {
  public:
+  /** A section of somebody else's: its keys and values as they are. */
+  using FreeSection = std::map<std::string, std::string>;
+
   /** Adds a section whose keys `parameters.describe()` binds; `parameters` must outlive this
    * object. */
   template <typename Parameters>
@@ -47,6 +50,13 @@ class Config {
                            defaults.describe(section);
                            use();
                          }});
+  }
+
+  /** Takes over as they are all sections that nobody has bound and that have a key `marker`, such
+   * as `driver` in those of MRPT's sensors. */
+  void bindFree(const std::string& marker, const std::string& description,
+                std::map<std::string, FreeSection>& sections) {
+    free_.push_back({marker, description, &sections});
   }
 
   /** Loads files in order, later ones override earlier ones, then "section.key=value" overrides.
@@ -80,17 +90,25 @@ class Config {
     std::function<void(ConfigSection&, const std::function<void()>& use)> withDefaults;
   };
 
+  struct Free {
+    std::string marker, description;
+    std::map<std::string, FreeSection>* sections;
+  };
+
   ConfigSection& addSection(const std::string& name, const std::string& description);
   ConfigSection* findOrMakeSection(const std::string& name);
   ConfigSection& section(const std::string& where, const std::string& name);
   void set(const std::string& where, const std::string& section, const std::string& key,
            const std::string& value);
+  FreeSection* findFree(const std::string& name);
+  bool loadFree(const mrpt::config::CConfigFileBase& ini, const std::string& name);
   void loadFile(const std::string& file);
   void loadSection(const mrpt::config::CConfigFileBase& ini, const std::string& where,
                    const std::string& name);
 
   std::deque<ConfigSection> sections_;  // a deque keeps references valid while it grows
   std::vector<Repeated> repeated_;
+  std::vector<Free> free_;
 };
 
 /** The directory with config/ and maps/: beside the installed program, else the source tree it was

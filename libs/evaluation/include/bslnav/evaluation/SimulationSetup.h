@@ -14,7 +14,7 @@
 namespace bslnav {
 
 /** What moves. */
-enum class RobotType : std::uint8_t { Simulated };
+enum class RobotType : std::uint8_t { Simulated, Create, Text, Plugin };
 
 struct RobotParameters {
   RobotType type = RobotType::Simulated;
@@ -23,7 +23,7 @@ struct RobotParameters {
 };
 
 /** Where the robot's pose comes from. */
-enum class PoseSource : std::uint8_t { Truth, Odometry, ParticleFilter };
+enum class PoseSource : std::uint8_t { Truth, Odometry, ParticleFilter, External };
 
 struct LocalizationParameters {
   PoseSource source = PoseSource::Truth;
@@ -81,10 +81,14 @@ struct SimulationSetup {
   void bind(Config& config);
   /** Checks of more than one key. @throws Error */
   void check() const;
+  bool isSimulated() const { return robot.type == RobotType::Simulated; }
   /** The static map that the robot navigates by; null for none. @throws Error */
   std::shared_ptr<const mrpt::maps::COccupancyGridMap2D> makeMap() const;
   /** What an engine has to simulate; cameras only when `navigation.depth` is enabled. */
   SimulationCase simulationCase(std::uint64_t seed) const;
+
+ private:
+  void checkSimulated() const;
 };
 
 /** The setup of one seed: trigger lines shifted along x and speeds scaled, uniformly within the

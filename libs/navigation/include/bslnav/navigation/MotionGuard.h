@@ -20,6 +20,9 @@ class MotionGuard {
         period_s_(controlPeriod_s),
         guard_(parameters, limits, robotRadius_m, controlPeriod_s) {}
 
+  /** As Guard::setComputing(). */
+  void setComputing(double time_s) { guard_.setComputing(time_s); }
+
   /** Takes over the situation of a cycle; what it returns judges candidates.
    *  @param frontierStamp_s when the frontier was seen */
   const Guard& begin(const CycleRecord& record, const Frontier& frontier, double frontierStamp_s);

@@ -36,7 +36,13 @@ class NavigationCycle {
   const CycleRecord& step(const SensorFrame& frame);
 
   /** Somebody else has stopped the robot: the next command starts from standstill. */
-  void noteStopped() { record_.motion.command = {}; }
+  void noteStopped() { noteSent({}); }
+  /** Not the record's command was sent, but this one: the next one starts from it. */
+  void noteSent(const mrpt::math::TTwist2D& command) { record_.motion.command = command; }
+  /** From sensing until the command is sent, as measured: the guard counts on it. */
+  void noteComputing(double time_s) {
+    if (guard_) guard_->setComputing(time_s);
+  }
 
   const Surroundings& surroundings() const { return surroundings_; }
 

@@ -68,6 +68,11 @@ class Guard {
   const GuardParameters& parameters() const { return parameters_; }
   const StoppingAbility& robot() const { return robot_; }
 
+  /** What computing takes, as measured, besides the period and the configured latency. */
+  void setComputing(double time_s) {
+    robot_.reaction_s = period_s_ + parameters_.latency_s + time_s;
+  }
+
   /** Takes over the situation of a cycle; keeps those frontier points that can matter.
    *  @param mayCreep up to the creeping speed, only those who are seen walking bind */
   void begin(const mrpt::math::TPose2D& mapFromRobot, const Frontier& frontier, double age_s,

@@ -1,0 +1,141 @@
+#include "HardwareDrive.h"
+
+#include <bslnav/evaluation/RunRawlog.h>
+#include <bslnav/evaluation/RunRecorder.h>
+#include <bslnav/evaluation/SimulationPictures.h>
+#include <bslnav/planning/RobotLimits.h>
+
+#include <cmath>
+#include <iostream>
+#include <optional>
+
+#include "CommandLine.h"
+#include "SummaryTable.h"
+
+namespace bslnav {
+namespace {
+
+std::unique_ptr<Localization> localizationOf(
+    const SimulationSetup& setup, const std::shared_ptr<const mrpt::maps::COccupancyGridMap2D>& map,
+    std::uint64_t seed) {
+  if (setup.localization.source == PoseSource::External) return nullptr;
+  if (setup.localization.source == PoseSource::Odometry)
+    return std::make_unique<OdometryLocalization>(setup.scenario.start);
+  if (!map)
+    Config::refuse("localization", "source", "odometry or external when [scenario] map is none");
+  return std::make_unique<ParticleFilterLocalization>(
+      setup.particleFilter, map, setup.scenario.start, static_cast<std::uint32_t>(seed));
+}
+
+/** Records and draws a drive, as far as the robot itself knows it. */
+class Records {
+ public:
+  Records(const SimulationSetup& setup,
+          const std::shared_ptr<const mrpt::maps::COccupancyGridMap2D>& map,
+          const NavigationCycle& cycle, RunRecorder& recorder)
+      : cycle_(cycle), recorder_(recorder), pictures_(setup, map) {
+    if (setup.recording.rawlog) rawlog_.emplace(recorder.path("run.rawlog"));
+  }
+
+  void add(const DriveMoment& moment) {
+    const CycleRecord& record = moment.record;
+    if (rawlog_) rawlog_->write(moment.frame);
+    recorder_.write(record, record.mapFromRobot);
+    if (record.health == CycleRecord::Health::BadPose) return;  // nothing to add up or to draw
+    const double passed_s = record.time_s - known_.time_s;
+    known_.time_s = record.time_s;
+    known_.pose = record.mapFromRobot;
+    known_.twist = record.twist;
+    metrics_.add(record, {known_.pose.x, known_.pose.y}, speedOf(known_.twist), passed_s);
+    pictures_.observe({record, known_, cycle_, moment.frame});
+  }
+
+  /** Returns the pictures. */
+  std::vector<std::string> finish(RunSummary& summary) {
+    summary.duration_s = known_.time_s;
+    metrics_.finish(summary);
+    recorder_.finish(summary);
+    return pictures_.save(summary, recorder_.directory());
+  }
+
+ private:
+  const NavigationCycle& cycle_;
+  RunRecorder& recorder_;
+  SimulationPictures pictures_;
+  std::optional<RunRawlog> rawlog_;
+  Metrics metrics_;
+  SimulationState known_;  // nobody knows the truth here
+};
+
+void fill(RunSummary& summary, const DriveEnd& end, double time_s) {
+  using Kind = DriveEnd::Kind;
+  summary.reason = end.reason;
+  switch (end.kind) {
+    case Kind::Arrived:
+      summary.outcome = Outcome::Goal;
+      summary.timeToGoal_s = time_s;
+      break;
+    case Kind::GaveUp:
+      summary.outcome = Outcome::Stuck;
+      break;
+    case Kind::TimeLimit:
+      summary.outcome = Outcome::Timeout;
+      break;
+    case Kind::Interrupted:
+    case Kind::Failed:
+      summary.outcome = Outcome::Error;
+  }
+}
+
+}  // namespace
+
+RunSummary driveHardware(const SimulationSetup& setup, const HardwareSetup& hardware,
+                         const Config& config, const DriveOptions& options) {
+  setup.check();
+  hardware.check(setup.robot.type);
+  const auto map = setup.makeMap();
+  RunRecorder recorder(options.out, config);
+  const auto localization = localizationOf(setup, map, options.seed);
+  NavigationCycle cycle(setup.navigation, map);
+  cycle.setGoals(setup.scenario.goals);
+  for (const auto& [name, section] : hardware.drivers)
+    cycle.expectSensor(kindOf(section), labelOf(name, section));
+  Records records(setup, map, cycle, recorder);
+  listenForInterrupts();
+  const auto base = hardware.makeBase(setup.robot.type);
+  Sensors sensors(hardware.drivers, hardware.sensors, sensorProgram(), recorder.directory());
+  DriveParameters drive = hardware.drive;
+  drive.timeLimit_s = setup.scenario.timeLimit_s;
+  RobotDrive robot(cycle, *base, sensors, localization.get(), drive,
+                   setup.navigation.cycle.period_s);
+  std::string problem;
+  double time_s = 0.0;
+  int misses = 0;
+  const DriveEnd end = robot.run([&](const DriveMoment& moment) {
+    if (moment.problem != problem && !options.quiet) {
+      showProgress("", options.quiet);
+      if (!moment.problem.empty())
+        std::cerr << "bslnav: " << moment.record.time_s << " s: " << moment.problem << '\n';
+    }
+    problem = moment.problem;
+    time_s = moment.record.time_s;
+    misses = moment.pace.misses();
+    records.add(moment);
+    if (moment.record.index % 10 == 0) showProgress(progressLine(moment.record), options.quiet);
+    return !interrupted();
+  });
+  showProgress("", options.quiet);
+  RunSummary summary;
+  summary.seed = options.seed;
+  summary.method = setup.navigation.method.number;
+  summary.methodName = setup.navigation.method.name;
+  fill(summary, end, time_s);
+  const auto pictures = records.finish(summary);
+  if (!options.quiet) {
+    printSummary(std::cout, setup.scenario.name, summary, recorder.directory(), pictures);
+    if (misses > 0) std::cout << misses << " cycles were late\n";
+  }
+  return summary;
+}
+
+}  // namespace bslnav

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <bslnav/config/Config.h>
+#include <bslnav/hardware/SensorMessages.h>
+
+#include <condition_variable>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace bslnav {
+
+/** A sensor driver of MRPT's in a process of its own, and the thread that listens to it.
+ *
+ * Whatever happens to the driver (it crashes, aborts without its device, hangs), it is started
+ * again, and nobody else notices but by the sensor's silence. */
+class SensorProcess {
+ public:
+  struct Options {
+    std::string program;     ///< bslnav-sensor
+    std::string logFile;     ///< gets what the driver prints; empty: nobody does
+    double again_s = 1.0;    ///< from an end to the next start
+    double silence_s = 5.0;  ///< a driver that delivers nothing for so long is started again
+  };
+  struct Status {
+    int starts = 0, observations = 0;
+    std::string trouble;  ///< the last there was, in words; empty since it delivers
+  };
+
+  /** @param section the driver's, in rawlog-grabber's format; its name is the sensor's label unless
+   * it has `sensorLabel` */
+  SensorProcess(std::string name, Config::FreeSection section, Options options);
+  /** Ends the driver, the hard way if it does not end within half a second. */
+  ~SensorProcess();
+  SensorProcess(const SensorProcess&) = delete;
+  SensorProcess& operator=(const SensorProcess&) = delete;
+
+  const std::string& name() const { return name_; }
+  /** What it delivered since the last call. */
+  std::vector<mrpt::obs::CObservation::Ptr> take();
+  Status status() const;
+
+ private:
+  struct Child {
+    int process = -1, messages = -1;  // what it writes
+  };
+
+  void supervise();
+  Child start() const;
+  std::string listen(const Child& child);
+  void accept(const SensorMessage& message);
+  bool waitOrEnd(double time_s);
+  bool isEnding() const;
+
+  std::string name_, ini_;
+  Options options_;
+  mutable std::mutex mutex_;
+  std::condition_variable endingChanged_;
+  bool ending_ = false;
+  Status status_;
+  std::vector<mrpt::obs::CObservation::Ptr> observations_;
+  std::thread thread_;
+};
+
+}  // namespace bslnav
