@@ -31,7 +31,7 @@ TEST(DriveClock, FollowsAJumpOfTheMachinesClock) {
   EXPECT_TRUE(clocks.clock.followJumps());
   EXPECT_FALSE(clocks.clock.followJumps());
   EXPECT_EQ(clocks.clock.time_s(), 2.0);
-  EXPECT_NEAR(clocks.mrpts_s - clocks.clock.startTime_s(), 2.0, 1e-6);
+  EXPECT_NEAR(clocks.mrpts_s - clocks.clock.startTime_s(), 2.0, 1e-4);
 }
 
 TEST(DriveClock, ASlowDriftIsNoJump) {
@@ -41,7 +41,7 @@ TEST(DriveClock, ASlowDriftIsNoJump) {
     clocks.mrpts_s += 0.001;
     EXPECT_FALSE(clocks.clock.followJumps());
   }
-  EXPECT_NEAR(clocks.clock.startTime_s(), 1e9 + 0.1, 1e-6);
+  EXPECT_NEAR(clocks.clock.startTime_s(), 1e9 + 0.1, 1e-4);
 }
 
 }  // namespace

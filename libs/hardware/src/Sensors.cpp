@@ -5,6 +5,10 @@
 #include <filesystem>
 
 namespace bslnav {
+
+using mrpt::obs::CObservation2DRangeScan;
+using mrpt::obs::CObservation3DRangeScan;
+
 namespace {
 
 std::string valueOf(const Config::FreeSection& section, const std::string& key,
@@ -61,36 +65,39 @@ void Sensors::collect(SensorFrame& frame) {
 }
 
 void Sensors::take(Sensor& sensor, SensorFrame& frame) {
-  using mrpt::obs::CObservation2DRangeScan;
-  using mrpt::obs::CObservation3DRangeScan;
+  const auto status = sensor.process->status();
+  sensor.report.starts = status.starts;
+  if (!status.trouble.empty()) sensor.report.trouble = status.trouble;
   CObservation2DRangeScan::ConstPtr scan;
   CObservation3DRangeScan::ConstPtr depth;
-  Report& report = sensor.report;
-  const auto status = sensor.process->status();
-  report.starts = status.starts;
-  if (!status.trouble.empty()) report.trouble = status.trouble;
   for (const auto& observation : sensor.process->take()) {
-    const double stamp_s = mrpt::Clock::toDouble(observation->timestamp) - frame.startTime_s;
     const auto asScan = std::dynamic_pointer_cast<const CObservation2DRangeScan>(observation);
     const auto asDepth = std::dynamic_pointer_cast<const CObservation3DRangeScan>(observation);
-    if (!asScan && !asDepth) continue;
-    const std::string why = asScan ? sensor.check.refusal(*asScan, stamp_s, frame.time_s)
-                                   : sensor.check.refusal(stamp_s, frame.time_s);
-    report.refused = sensor.check.refused();
-    report.trouble = why;
-    if (!why.empty()) continue;
+    if ((!asScan && !asDepth) || !isNew(sensor, *observation, asScan.get(), frame)) continue;
+    sensor.report.newest = observation;
     if (asScan) scan = asScan;
     if (asDepth) depth = asDepth;
-    report.newest = observation;
-    const double latency_s = frame.time_s - stamp_s;
-    if (report.frames++ == 0) sensor.first_s = stamp_s;
-    sensor.latencies_s += latency_s;
-    report.latency_s = sensor.latencies_s / report.frames;
-    report.worstLatency_s = std::max(report.worstLatency_s, latency_s);
-    if (stamp_s > sensor.first_s) report.rate_hz = (report.frames - 1) / (stamp_s - sensor.first_s);
   }
   if (scan) frame.scans.push_back(scan);
   if (depth) frame.depth.push_back(depth);
+}
+
+/** Whether it can be believed to be new; notes that. */
+bool Sensors::isNew(Sensor& sensor, const mrpt::obs::CObservation& observation,
+                    const CObservation2DRangeScan* scan, const SensorFrame& frame) {
+  Report& report = sensor.report;
+  const double stamp_s = mrpt::Clock::toDouble(observation.timestamp) - frame.startTime_s;
+  report.trouble = scan ? sensor.check.refusal(*scan, stamp_s, frame.time_s)
+                        : sensor.check.refusal(stamp_s, frame.time_s);
+  report.refused = sensor.check.refused();
+  if (!report.trouble.empty()) return false;
+  const double latency_s = frame.time_s - stamp_s;
+  if (report.frames++ == 0) sensor.first_s = stamp_s;
+  sensor.latencies_s += latency_s;
+  report.latency_s = sensor.latencies_s / report.frames;
+  report.worstLatency_s = std::max(report.worstLatency_s, latency_s);
+  if (stamp_s > sensor.first_s) report.rate_hz = (report.frames - 1) / (stamp_s - sensor.first_s);
+  return true;
 }
 
 std::vector<Sensors::Report> Sensors::reports() const {

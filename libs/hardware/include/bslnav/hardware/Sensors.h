@@ -56,7 +56,9 @@ class Sensors {
     double first_s = 0.0, latencies_s = 0.0;
   };
 
-  void take(Sensor& sensor, SensorFrame& frame);
+  static void take(Sensor& sensor, SensorFrame& frame);
+  static bool isNew(Sensor& sensor, const mrpt::obs::CObservation& observation,
+                    const mrpt::obs::CObservation2DRangeScan* scan, const SensorFrame& frame);
 
   std::deque<Sensor> sensors_;
 };
