@@ -5,7 +5,8 @@
 
 namespace bslnav::test {
 
-/** A serial line without a wire: what a driver opens at path() is read and written here. */
+/** A serial line without a wire: what a driver opens at path() is read and written here. Programs
+ * that are started do not inherit it. */
 class PseudoTerminal {
  public:
   /** @throws std::system_error when there is none */
