@@ -86,6 +86,7 @@ int runApp(CLI::App& app, int argc, char** argv, const std::function<int()>& bod
 bool interrupted() { return interruptFlag; }
 
 void listenForInterrupts() {
+  std::signal(SIGXFSZ, SIG_IGN);  // files that must not grow any more are an error like a full disk
   for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { interruptFlag = true; });
 }
 

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 
 #include <csignal>
@@ -38,6 +39,11 @@ AppProcess::~AppProcess() {
   if (pid_ < 0) return;
   kill(pid_, SIGKILL);
   waitpid(pid_, nullptr, 0);
+}
+
+void AppProcess::limitFiles(unsigned long bytes) const {
+  const rlimit limit{bytes, bytes};
+  ::prlimit(pid_, RLIMIT_FSIZE, &limit, nullptr);
 }
 
 void AppProcess::send(int signal) const {

@@ -27,6 +27,8 @@ class AppProcess {
   AppProcess& operator=(const AppProcess&) = delete;
 
   void send(int signal) const;
+  /** From now on its files must not grow beyond this: as on a disk that is full. */
+  void limitFiles(unsigned long bytes) const;
   bool isRunning();
   /** Waits for its end. */
   AppResult wait();

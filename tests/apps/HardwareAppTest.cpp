@@ -138,6 +138,29 @@ TEST_F(HardwareApp, DrivesOnAfterGarbageAndHalfPackets) {
   process.wait();
 }
 
+TEST_F(HardwareApp, StopsTheBaseWhenTheDiskIsFull) {
+  AppProcess process("bslnav", driving("out", {"--method", "2"}), path(""));
+  ASSERT_TRUE(waitUntilItDrives());
+  process.limitFiles(1000);
+  EXPECT_LT(wayUntilItStands(), kStandsWithin_m + 0.4 * 3.0);  // until a buffer is to be written
+  const AppResult result = process.wait();
+  EXPECT_EQ(result.exitCode, 1);
+  EXPECT_THAT(result.err, HasSubstr("cycles.csv"));
+  EXPECT_GT(rowsOf(out("cycles.csv")), 5u);
+}
+
+TEST_F(HardwareApp, AConfigurationThatMakesNoSenseMovesNothing) {
+  const auto refused = [this](const std::string& setting, const std::string& word) {
+    const AppResult result = run(driving("out", {"--set", setting}));
+    EXPECT_EQ(result.exitCode, 2) << setting;
+    EXPECT_THAT(result.err, HasSubstr(word));
+  };
+  refused("robot.type=banana", "[robot] type");
+  refused("create.baud=fast", "[create] baud");
+  refused("localization.source=truth", "[localization] source");
+  EXPECT_EQ(robot.base().lastDrive().count, 0u);
+}
+
 TEST_F(HardwareApp, EndsWhenTheBasesCableIsPulled) {
   AppProcess process("bslnav", driving("out", {"--method", "2"}), path(""));
   ASSERT_TRUE(waitUntilItDrives());

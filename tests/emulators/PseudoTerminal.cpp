@@ -28,7 +28,8 @@ bool waitFor(int file, short events, double timeout_s) {
 
 }  // namespace
 
-PseudoTerminal::PseudoTerminal() : master_(::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC)) {
+PseudoTerminal::PseudoTerminal()
+    : master_(::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC)) {
   if (master_ < 0 || ::grantpt(master_) != 0 || ::unlockpt(master_) != 0) fail("posix_openpt");
   std::array<char, 128> name{};
   if (::ptsname_r(master_, name.data(), name.size()) != 0) fail("ptsname_r");

@@ -172,7 +172,9 @@ void RunRecorder::write(const CycleRecord& r, const mrpt::math::TPose2D& truePos
              r.motion.command.omega, nameOf(r.motion.mode), nameOf(r.health), reasonOf(r).c_str(),
              r.beams, r.droppedBeams, r.blindSpots.size(), int{r.replanned}, r.path.size())
       << chosenCandidate(r) << row(",%.4f,%.4f,", r.twist.vy, r.motion.command.vy)
-      << certificate(r.guard) << '\n';
+      << certificate(r.guard) << '\n'
+      << std::flush;  // whatever happens to this process, the row is kept
+  if (!cycles_) throw Error(path("cycles.csv"), "cannot be written in full", Error::Kind::Run);
   if (!candidates_.is_open() || !r.motion.planned) return;
   static constexpr const char* kVerdicts[] = {"admissible",  "obstacle",      "unknown",
                                               "oscillation", "out_of_window", "guarded"};

@@ -18,7 +18,8 @@ class RunRecorder {
   /** Makes the directory. @throws Error (Run) when it cannot be written */
   RunRecorder(const std::string& directory, const Config& config);
 
-  /** One row of cycles.csv. @param truePose where the robot really is, where that is known */
+  /** One row of cycles.csv. @param truePose where the robot really is, where that is known
+   *  @throws Error (Run) when it cannot be written */
   void write(const CycleRecord& record, const mrpt::math::TPose2D& truePose);
 
   /** Also writes one row a candidate to candidates.csv: all that the planner considered (about 80
