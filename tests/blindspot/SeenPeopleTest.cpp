@@ -214,6 +214,20 @@ TEST(SeenPeople, WhatIsNarrowWhereNobodyCanHaveComeIsAnObstacleAtOnce) {
   EXPECT_FALSE(wide.frontier().empty());
 }
 
+/** Its edges lie just within and just beyond what counts as the place of the obstacle that was seen
+ * to stand: as a whole it is too narrow for anybody. */
+TEST(SeenPeople, TheRestOfANarrowObstacleIsTheObstacle) {
+  Seen people;
+  const PlanarScan small = discAt(1.0, 0.0, 0.05), all = discAt(1.0, 0.1, 0.15);
+  for (int k = 0; k <= 11; ++k) people.update({{&small}, {}, {}}, 0.1 * k);
+  ASSERT_TRUE(people.frontier().empty());
+  people.update({{&all}, {}, {}}, 1.2);
+  EXPECT_TRUE(people.frontier().empty());
+  const PlanarScan somebody = nearerOf(small, discAt(1.0, 0.3, 0.25));
+  people.update({{&somebody}, {}, {}}, 1.3);
+  EXPECT_FALSE(people.frontier().empty());
+}
+
 /** A leg of somebody who was seen before, where the rest is not seen now. */
 TEST(SeenPeople, WhatIsNarrowNearSomebodyWhoWasSeenMayWalk) {
   Seen people;

@@ -14,8 +14,8 @@ namespace {
 using testing::HasSubstr;
 using Kind = DriveEnd::Kind;
 
-/** A robot that stays where it is whatever it is told, in the middle of a round place; its laser's ranges
- * have noise. */
+/** A robot that stays where it is whatever it is told, in the middle of a round place; its laser's
+ * ranges have noise. */
 class RobotDriveTest : public testing::Test {
  protected:
   RobotDriveTest() {

@@ -27,6 +27,15 @@ bool isCovered(const PlanarScan& scan, std::size_t beam, int side, double gap_m)
   return true;
 }
 
+using Points = std::vector<TPoint2D>::const_iterator;
+
+/** How far the farthest of some points is from the first. */
+double widthOf(Points first, Points end) {
+  double width_m = 0.0;
+  for (Points p = first; p != end; ++p) width_m = std::max(width_m, (*p - *first).norm());
+  return width_m;
+}
+
 }  // namespace
 
 void SeenThings::find(const Views& views, const mrpt::math::TPose2D& mapFromRobot,
@@ -77,6 +86,13 @@ void SeenThings::findThings(const PlanarScan& scan, const mrpt::math::TPose2D& m
 void SeenThings::addThings(std::size_t first, std::size_t others, bool coveredBefore,
                            bool coveredAfter) {
   findStraight(first, points_.size() - 1);
+  const auto begin = points_.begin() + static_cast<std::ptrdiff_t>(first);
+  const auto isBegin = is_.begin() + static_cast<std::ptrdiff_t>(first);
+  // What is too narrow for a person as a whole, and stands in part, is the same obstacle.
+  const bool stands = std::find(isBegin, is_.end(), Is::Standing) != is_.end();
+  if (stands && !coveredBefore && !coveredAfter &&
+      widthOf(begin, points_.end()) < parameters_.narrowest_m)
+    std::replace(isBegin, is_.end(), Is::New, Is::Straight);
   for (std::size_t i = first; i < points_.size();) {
     if (is_[i] == Is::Straight) straight_.push_back(points_[i]);
     if (is_[i] != Is::New) {
@@ -119,11 +135,10 @@ void SeenThings::findStraight(std::size_t first, std::size_t last) {
 
 void SeenThings::addThing(std::size_t first, std::size_t end, std::size_t others, bool isCovered) {
   TPoint2D sum;
-  double width = 0.0;
-  for (std::size_t i = first; i < end; ++i) {
-    sum += points_[i];
-    width = std::max(width, (points_[i] - points_[first]).norm());
-  }
+  for (std::size_t i = first; i < end; ++i) sum += points_[i];
+  const auto begin = points_.begin();
+  const double width =
+      widthOf(begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(end));
   const auto count = end - first;
   Thing thing{first,        count,       sum * (1.0 / static_cast<double>(count)), width, isCovered,
               std::nullopt, std::nullopt};
