@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "CommandLine.h"
+#include "HardwareCheck.h"
 #include "HardwareDrive.h"
 #include "RecordedDrive.h"
 #include "SummaryTable.h"
@@ -26,7 +27,7 @@ bslnav::SimulationEngines availableEngines() {
   return engines;
 }
 
-int drive(const bslnav::CommonOptions& options) {
+int drive(const bslnav::CommonOptions& options, bool check) {
   using namespace bslnav;
   SimulationSetup setup;
   HardwareSetup hardware;
@@ -41,6 +42,10 @@ int drive(const bslnav::CommonOptions& options) {
   if (options.configs.empty())
     throw Error("CONFIG", "no configuration; expected bslnav CONFIG.ini, see --help");
   const DriveOptions drive{options.seed, options.out, options.quiet};
+  if (check && setup.isSimulated())
+    throw Error("--check",
+                "there is nothing to check of a simulated robot; expected another [robot] type");
+  if (check) return checkHardware(setup, hardware, drive);
   return exitCodeOf(setup.isSimulated() ? driveRecorded(setup, config, drive, availableEngines())
                                         : driveHardware(setup, hardware, config, drive));
 }
@@ -52,5 +57,8 @@ int main(int argc, char** argv) {
   app.footer("Example:\n  bslnav config/scenarios/s1.ini --method 2 --out out/s1-method2");
   bslnav::CommonOptions options;
   options.addTo(app, "out");
-  return bslnav::runApp(app, argc, argv, [&] { return drive(options); });
+  bool check = false;
+  app.add_flag("--check", check,
+               "open every device of a real robot, print what each delivers, and move nothing");
+  return bslnav::runApp(app, argc, argv, [&] { return drive(options, check); });
 }

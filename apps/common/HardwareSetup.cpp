@@ -4,6 +4,11 @@
 
 namespace bslnav {
 
+const char* nameOf(RobotType type) {
+  static constexpr const char* kNames[] = {"simulated", "create", "text", "plugin"};
+  return kNames[static_cast<int>(type)];
+}
+
 void HardwareSetup::bind(Config& config) {
   config.bind("drive", "What stops a real robot.", drive);
   config.bind("sensors", "All sensors of a real robot; each has a section of its own besides.",

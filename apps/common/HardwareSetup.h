@@ -11,6 +11,9 @@
 
 namespace bslnav {
 
+/** The word for what moves, as in the configuration. */
+const char* nameOf(RobotType type);
+
 /** What a real robot is made of, besides what it shares with a simulated one. */
 struct HardwareSetup {
   DriveParameters drive;

@@ -149,6 +149,20 @@ TEST_F(HardwareApp, StopsTheBaseWhenTheDiskIsFull) {
   EXPECT_GT(rowsOf(out("cycles.csv")), 5u);
 }
 
+TEST_F(HardwareApp, ChecksEveryDeviceAndMovesNothing) {
+  const AppResult result = run(driving("out", {"--check"}));
+  EXPECT_EQ(result.exitCode, 0) << result.out << result.err;
+  EXPECT_THAT(result.out, HasSubstr("1081 beams over 270 deg"));
+  EXPECT_THAT(result.out, HasSubstr("CHokuyoURG"));
+  EXPECT_TRUE(exists(out("check.png")));
+  EXPECT_LT(std::abs(robot.state().pose.x), 0.01);
+
+  robot.laser().pullCable();
+  const AppResult without = run(driving("without", {"--check"}));
+  EXPECT_EQ(without.exitCode, 1);
+  EXPECT_THAT(without.out, HasSubstr(robot.laser().path()));
+}
+
 TEST_F(HardwareApp, AConfigurationThatMakesNoSenseMovesNothing) {
   const auto refused = [this](const std::string& setting, const std::string& word) {
     const AppResult result = run(driving("out", {"--set", setting}));

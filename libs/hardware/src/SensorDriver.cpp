@@ -21,6 +21,15 @@ bool tell(int out, const std::string& trouble) {
   return write(out, {SensorMessage::Kind::Trouble, trouble});
 }
 
+/** What went wrong, without where in MRPT. */
+std::string wordsOf(const std::exception& problem) {
+  const std::string all = mrpt::exception_to_str(problem), lead = "Message:";
+  const auto found = all.find(lead);
+  if (found == std::string::npos) return all;
+  const auto from = all.find_first_not_of(' ', found + lead.size());
+  return all.substr(from, all.find('\n', from) - from);
+}
+
 CGenericSensor::Ptr makeSensor(const mrpt::config::CConfigFileBase& config,
                                const std::string& section) {
   mrpt::hwdrivers::registerAllClasses_mrpt_hwdrivers();
@@ -67,7 +76,7 @@ int runSensorDriver(const std::string& ini, const std::string& section, int out)
     }
     return 0;
   } catch (const std::exception& problem) {
-    tell(out, mrpt::exception_to_str(problem));
+    tell(out, wordsOf(problem));
     return 1;
   }
 }
