@@ -40,8 +40,7 @@ TEST_F(FullDiskTest, ConfigurationThatDoesNotFitIsAnErrorNamingTheFile) {
 TEST_F(FullDiskTest, CyclesThatDoNotFitAreAnErrorNamingTheFile) {
   fill("cycles.csv");
   RunRecorder recorder(directory, config);
-  recorder.write({}, {});
-  EXPECT_THAT(errorOf([&] { recorder.finish({}); }), testing::HasSubstr("cycles.csv"));
+  EXPECT_THAT(errorOf([&] { recorder.write({}, {}); }), testing::HasSubstr("cycles.csv"));
 }
 
 TEST_F(FullDiskTest, CandidatesThatDoNotFitAreAnErrorNamingTheFile) {
