@@ -221,6 +221,7 @@ TEST(SeenPeople, TheRestOfANarrowObstacleIsTheObstacle) {
   const PlanarScan small = discAt(1.0, 0.0, 0.05), all = discAt(1.0, 0.1, 0.15);
   for (int k = 0; k <= 11; ++k) people.update({{&small}, {}, {}}, 0.1 * k);
   ASSERT_TRUE(people.frontier().empty());
+  people.reachedOnlyAt(-3.0, 0.0);
   people.update({{&all}, {}, {}}, 1.2);
   EXPECT_TRUE(people.frontier().empty());
   const PlanarScan somebody = nearerOf(small, discAt(1.0, 0.3, 0.25));

@@ -8,6 +8,7 @@ namespace {
 
 using mrpt::math::TPoint2D;
 
+constexpr double kBeside_m = 0.65;    // so far from a hit somebody who is hidden matters for it
 constexpr double kStraight_m = 0.03;  // hits of something straight lie so near to a line
 
 TPoint2D endOf(const PlanarScan& scan, std::size_t beam, const mrpt::math::TPose2D& mapFromRobot) {
@@ -25,6 +26,18 @@ bool isCovered(const PlanarScan& scan, std::size_t beam, int side, double gap_m)
     if (scan.beam[k] != PlanarScan::Beam::Dropped)
       return scan.beam[k] == PlanarScan::Beam::Hit && scan.range_m[k] < scan.range_m[beam] + gap_m;
   return true;
+}
+
+/** Whether somebody unseen can have got to within a distance of a point, on a square. */
+bool isReached(const SeenThings::Place& place, const TPoint2D& p, double distance_m) {
+  const CostGrid& grid = place.mapped;
+  const int reach = static_cast<int>(std::ceil(distance_m / grid.getResolution()));
+  const int x = grid.cellX(p.x), y = grid.cellY(p.y);
+  const CellWindow near = CellWindow{x, y, x + 1, y + 1}.grown(reach).intersected(grid.bounds());
+  for (int row = near.y0; row < near.y1; ++row)
+    for (int column = near.x0; column < near.x1; ++column)
+      if (place.reached.at(column, row)) return true;
+  return false;
 }
 
 using Points = std::vector<TPoint2D>::const_iterator;
@@ -56,8 +69,17 @@ void SeenThings::findThings(const PlanarScan& scan, const mrpt::math::TPose2D& m
   std::size_t first = points_.size(), firstBeam = 0, lastBeam = 0;
   const auto add = [&] {
     if (points_.size() == first) return;
-    addThings(first, others, isCovered(scan, firstBeam, -1, parameters_.clusterGap_m),
-              isCovered(scan, lastBeam, 1, parameters_.clusterGap_m));
+    const bool before = isCovered(scan, firstBeam, -1, parameters_.clusterGap_m);
+    const bool after = isCovered(scan, lastBeam, 1, parameters_.clusterGap_m);
+    const auto begin = points_.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto isBegin = is_.begin() + static_cast<std::ptrdiff_t>(first);
+    // What is too narrow for a person as a whole, stands in part, and is where nobody can have come
+    // to unseen, is the same obstacle.
+    const bool stands = std::find(isBegin, is_.end(), Is::Standing) != is_.end();
+    if (stands && !before && !after && widthOf(begin, points_.end()) < parameters_.narrowest_m &&
+        !isReached(place, *begin, kBeside_m))
+      std::replace(isBegin, is_.end(), Is::New, Is::Straight);
+    addThings(first, others, before, after);
   };
   for (std::size_t k = 0; k < scan.beam.size(); ++k) {
     if (scan.beam[k] != PlanarScan::Beam::Hit) continue;
@@ -86,13 +108,6 @@ void SeenThings::findThings(const PlanarScan& scan, const mrpt::math::TPose2D& m
 void SeenThings::addThings(std::size_t first, std::size_t others, bool coveredBefore,
                            bool coveredAfter) {
   findStraight(first, points_.size() - 1);
-  const auto begin = points_.begin() + static_cast<std::ptrdiff_t>(first);
-  const auto isBegin = is_.begin() + static_cast<std::ptrdiff_t>(first);
-  // What is too narrow for a person as a whole, and stands in part, is the same obstacle.
-  const bool stands = std::find(isBegin, is_.end(), Is::Standing) != is_.end();
-  if (stands && !coveredBefore && !coveredAfter &&
-      widthOf(begin, points_.end()) < parameters_.narrowest_m)
-    std::replace(isBegin, is_.end(), Is::New, Is::Straight);
   for (std::size_t i = first; i < points_.size();) {
     if (is_[i] == Is::Straight) straight_.push_back(points_[i]);
     if (is_[i] != Is::New) {
