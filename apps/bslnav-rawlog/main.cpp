@@ -8,6 +8,7 @@
 #include <iostream>
 
 #include "CommandLine.h"
+#include "HardwareSetup.h"
 #include "SummaryTable.h"
 
 namespace {
@@ -17,6 +18,8 @@ int evaluate(bslnav::CommonOptions options, const std::string& rawlog, const std
   RawlogSetup setup;
   Config config;
   setup.bind(config);
+  HardwareSetup hardware;  // which the configuration of a recorded run has, too
+  hardware.bind(config);
   if (options.configs.empty()) options.configs = {dataDirectory() + "/config/rawlog.ini"};
   options.load(config);
   if (!rawlog.empty()) setup.rawlog.file = rawlog;
