@@ -5,7 +5,7 @@
 #include <bslnav/evaluation/SimulationPictures.h>
 #include <bslnav/planning/RobotLimits.h>
 
-#include <cmath>
+#include <cstdio>
 #include <iostream>
 #include <optional>
 
@@ -14,18 +14,6 @@
 
 namespace bslnav {
 namespace {
-
-std::unique_ptr<Localization> localizationOf(
-    const SimulationSetup& setup, const std::shared_ptr<const mrpt::maps::COccupancyGridMap2D>& map,
-    std::uint64_t seed) {
-  if (setup.localization.source == PoseSource::External) return nullptr;
-  if (setup.localization.source == PoseSource::Odometry)
-    return std::make_unique<OdometryLocalization>(setup.scenario.start);
-  if (!map)
-    Config::refuse("localization", "source", "odometry or external when [scenario] map is none");
-  return std::make_unique<ParticleFilterLocalization>(
-      setup.particleFilter, map, setup.scenario.start, static_cast<std::uint32_t>(seed));
-}
 
 /** Records and draws a drive, as far as the robot itself knows it. */
 class Records {
@@ -67,6 +55,15 @@ class Records {
   SimulationState known_;  // nobody knows the truth here
 };
 
+/** A line about cycles that began too late; empty when all were on time. */
+std::string latenessOf(const PaceKeeper& pace) {
+  if (pace.misses() == 0) return {};
+  char text[96];
+  std::snprintf(text, sizeof text, "  %d of %d cycles began late, the latest by %.3f s\n",
+                pace.misses(), pace.cycles(), pace.worstLateness_s());
+  return text;
+}
+
 void fill(RunSummary& summary, const DriveEnd& end, double time_s) {
   using Kind = DriveEnd::Kind;
   summary.reason = end.reason;
@@ -95,7 +92,7 @@ RunSummary driveHardware(const SimulationSetup& setup, const HardwareSetup& hard
   hardware.check(setup.robot.type);
   const auto map = setup.makeMap();
   RunRecorder recorder(options.out, config);
-  const auto localization = localizationOf(setup, map, options.seed);
+  const auto localization = setup.makeLocalization(map, options.seed);
   NavigationCycle cycle(setup.navigation, map);
   cycle.setGoals(setup.scenario.goals);
   for (const auto& [name, section] : hardware.drivers)
@@ -108,18 +105,16 @@ RunSummary driveHardware(const SimulationSetup& setup, const HardwareSetup& hard
   drive.timeLimit_s = setup.scenario.timeLimit_s;
   RobotDrive robot(cycle, *base, sensors, localization.get(), drive,
                    setup.navigation.cycle.period_s);
-  std::string problem;
+  std::string problem, lateness;
   double time_s = 0.0;
-  int misses = 0;
   const DriveEnd end = robot.run([&](const DriveMoment& moment) {
-    if (moment.problem != problem && !options.quiet) {
+    if (moment.problem != problem && !moment.problem.empty() && !options.quiet) {
       showProgress("", options.quiet);
-      if (!moment.problem.empty())
-        std::cerr << "bslnav: " << moment.record.time_s << " s: " << moment.problem << '\n';
+      std::cerr << "bslnav: " << moment.record.time_s << " s: " << moment.problem << '\n';
     }
     problem = moment.problem;
     time_s = moment.record.time_s;
-    misses = moment.pace.misses();
+    lateness = latenessOf(moment.pace);
     records.add(moment);
     if (moment.record.index % 10 == 0) showProgress(progressLine(moment.record), options.quiet);
     return !interrupted();
@@ -133,7 +128,12 @@ RunSummary driveHardware(const SimulationSetup& setup, const HardwareSetup& hard
   const auto pictures = records.finish(summary);
   if (!options.quiet) {
     printSummary(std::cout, setup.scenario.name, summary, recorder.directory(), pictures);
-    if (misses > 0) std::cout << misses << " cycles were late\n";
+    std::cout << lateness;
+    for (const auto& report : sensors.reports())
+      if (report.refused > 0)
+        std::cout << "  " << report.name << ": " << report.refused << " of "
+                  << report.refused + report.frames << " measurements were refused, the last since "
+                  << report.lastRefusal << '\n';
   }
   return summary;
 }

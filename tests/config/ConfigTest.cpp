@@ -1,3 +1,5 @@
+#include <mrpt/config/CConfigFileMemory.h>
+
 #include "ConfigFixture.h"
 
 namespace bslnav::test {
@@ -74,6 +76,9 @@ TEST_F(ConfigTest, SectionsWithAMarkerAreTakenOverAsTheyAre) {
   std::ostringstream printed;
   config.print(printed);
   EXPECT_THAT(printed.str(), HasSubstr("[front]\nCOM_port_LIN = /dev/ttyACM0\n"));
+  mrpt::config::CConfigFileMemory copy;
+  config.copyTo(copy);
+  EXPECT_EQ(copy.read_string("front", "driver", ""), "CHokuyoURG");
   EXPECT_THROW(config.load({file("[back]\npose_x = 0.1\n")}), Error);
 }
 

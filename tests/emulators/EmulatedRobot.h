@@ -23,9 +23,8 @@ class EmulatedRobot {
   ScipEmulator& laser() { return laser_; }
   SimulationState state() const;
 
-  /** The way the robot has made since a call of this, and when it last moved faster than 1 cm/s,
-   * in the simulator's time. */
   void startMeasuring();
+  /** The way that the robot has made since, by its wheels. */
   double driven_m() const;
 
  private:

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
 #include <random>
 
 #include "RecordingBase.h"
@@ -30,17 +31,20 @@ class RobotDriveTest : public testing::Test {
     laser.setRanges(std::move(ranges));
   }
 
+  std::map<std::string, Config::FreeSection> drivers() const {
+    return {{"front",
+             {{"driver", "CHokuyoURG"},
+              {"process_rate", "500"},
+              {"COM_port_LIN", laser.path()},
+              {"disable_firmware_timestamp", "true"}}}};
+  }
+
   /** Drives until the observer returns false. */
   DriveEnd run(const RobotDrive::Observer& observer) {
     NavigationCycle cycle(parameters, nullptr);
     cycle.setGoals({{2.2, 0.0, 0.0}});
     cycle.expectSensor(SensorKind::Laser, "front");
-    Sensors sensors({{"front",
-                      {{"driver", "CHokuyoURG"},
-                       {"process_rate", "500"},
-                       {"COM_port_LIN", laser.path()},
-                       {"disable_firmware_timestamp", "true"}}}},
-                    {}, BSLNAV_SENSOR_PROGRAM, "");
+    Sensors sensors(drivers(), {}, BSLNAV_SENSOR_PROGRAM, "");
     OdometryLocalization localization({});
     RobotDrive robot(cycle, base, sensors, &localization, drive, 0.1);
     return robot.run([&](const DriveMoment& moment) {
@@ -111,12 +115,7 @@ TEST_F(RobotDriveTest, APoseThatIsNoNumberStopsTheRobotUntilItIsOneAgain) {
   Confused confused;
   NavigationCycle cycle(parameters, nullptr);
   cycle.setGoals({{2.2, 0.0, 0.0}});
-  Sensors sensors({{"front",
-                    {{"driver", "CHokuyoURG"},
-                     {"process_rate", "500"},
-                     {"COM_port_LIN", laser.path()},
-                     {"disable_firmware_timestamp", "true"}}}},
-                  {}, BSLNAV_SENSOR_PROGRAM, "");
+  Sensors sensors(drivers(), {}, BSLNAV_SENSOR_PROGRAM, "");
   OdometryLocalization localization({});
   RobotDrive robot(cycle, confused, sensors, &localization, drive, 0.1);
   int stage = 0, cycles = 0;

@@ -59,6 +59,16 @@ TEST(Guard, AnOldFrontierIsNearer) {
   EXPECT_NEAR(guard.bound_mps({0.3, 0.0, 0.0}), 0.21, 0.011);
 }
 
+/** What computing takes counts as τ does: a·0.1 s less. */
+TEST(Guard, ASlowComputerBrakesLater) {
+  Frontier line;
+  for (double x = -4.0; x <= 6.0; x += 0.01) line.push_back(at(x, -1.25));
+  Guard guard(parameters(), {}, kRadius_m, kPeriod_s);
+  guard.setComputing(0.1);
+  guard.begin({}, line, 0.0, false);
+  EXPECT_NEAR(guard.bound_mps({0.3, 0.0, 0.0}), 0.26, 0.011);
+}
+
 TEST(Guard, WithoutFrontierEverythingMayBeDriven) {
   Guard guard(parameters(), {}, kRadius_m, kPeriod_s);
   guard.begin({1.0, 2.0, 0.5}, {}, 0.0, false);

@@ -23,7 +23,7 @@ void SeenPeople::update(const Views& views, double stamp_s, const mrpt::math::TP
   seen_.find(views, mapFromRobot, place);
   frontier_.clear();
   verdicts_.clear();
-  obstacles_ = seen_.straight();
+  obstacles_ = seen_.obstacles();
   for (const Thing& thing : seen_.things()) {
     verdicts_.push_back(thing.another ? verdicts_[*thing.another]
                                       : verdictOf(thing, stamp_s, place, personSpeed_mps));
@@ -74,14 +74,7 @@ bool SeenPeople::mayHaveCome(const Thing& thing, double stamp_s, const Place& pl
     const double walked_m = personSpeed_mps * (stamp_s - track.lastSeen_s);
     if ((track.position - thing.middle).norm() <= walked_m + kSlack_m + thing.width_m) return true;
   }
-  const CostGrid& grid = place.mapped;
-  const int reach = static_cast<int>(std::ceil((kSlack_m + thing.width_m) / grid.getResolution()));
-  const int x = grid.cellX(thing.middle.x), y = grid.cellY(thing.middle.y);
-  const CellWindow near = CellWindow{x, y, x + 1, y + 1}.grown(reach).intersected(grid.bounds());
-  for (int row = near.y0; row < near.y1; ++row)
-    for (int column = near.x0; column < near.x1; ++column)
-      if (place.reached.at(column, row)) return true;
-  return false;
+  return place.isReached(thing.middle, kSlack_m + thing.width_m);
 }
 
 void SeenPeople::findMovers(double stamp_s) {
@@ -94,11 +87,10 @@ void SeenPeople::findMovers(double stamp_s) {
     if (walks && hasMoved)
       track.gait =
           track.velocity * std::max(1.0, kGaitKept * track.gait.norm() / track.velocity.norm());
-    const bool mayWalkOn =
-        track.gait.norm() > 0.0 && stamp_s - track.stillSince_s < parameters_.personStanding_s;
+    const bool hasGait = track.gait.norm() > 0.0;
+    const bool mayWalkOn = hasGait && stamp_s - track.stillSince_s < parameters_.personStanding_s;
     if (!walks && !mayWalkOn) continue;
     const double unseen_s = stamp_s - track.lastSeen_s;
-    const bool hasGait = track.gait.norm() > 0.0;
     movers_.push_back(
         {track.position + track.velocity * unseen_s, hasGait ? track.gait : track.velocity});
   }

@@ -28,18 +28,6 @@ bool isCovered(const PlanarScan& scan, std::size_t beam, int side, double gap_m)
   return true;
 }
 
-/** Whether somebody unseen can have got to within a distance of a point, on a square. */
-bool isReached(const SeenThings::Place& place, const TPoint2D& p, double distance_m) {
-  const CostGrid& grid = place.mapped;
-  const int reach = static_cast<int>(std::ceil(distance_m / grid.getResolution()));
-  const int x = grid.cellX(p.x), y = grid.cellY(p.y);
-  const CellWindow near = CellWindow{x, y, x + 1, y + 1}.grown(reach).intersected(grid.bounds());
-  for (int row = near.y0; row < near.y1; ++row)
-    for (int column = near.x0; column < near.x1; ++column)
-      if (place.reached.at(column, row)) return true;
-  return false;
-}
-
 using Points = std::vector<TPoint2D>::const_iterator;
 
 /** How far the farthest of some points is from the first. */
@@ -51,12 +39,22 @@ double widthOf(Points first, Points end) {
 
 }  // namespace
 
+bool SeenThings::Place::isReached(const TPoint2D& p, double distance_m) const {
+  const int reach = static_cast<int>(std::ceil(distance_m / mapped.getResolution()));
+  const int x = mapped.cellX(p.x), y = mapped.cellY(p.y);
+  const CellWindow near = CellWindow{x, y, x + 1, y + 1}.grown(reach).intersected(mapped.bounds());
+  for (int row = near.y0; row < near.y1; ++row)
+    for (int column = near.x0; column < near.x1; ++column)
+      if (reached.at(column, row)) return true;
+  return false;
+}
+
 void SeenThings::find(const Views& views, const mrpt::math::TPose2D& mapFromRobot,
                       const Place& place) {
   points_.clear();
   is_.clear();
   things_.clear();
-  straight_.clear();
+  obstacles_.clear();
   for (const PlanarScan* scan : views.lasers) findThings(*scan, mapFromRobot, place);
   findTops(views.obstacles, mapFromRobot);
   for (Thing& thing : things_) thing.isLow = isLow(thing);
@@ -77,8 +75,8 @@ void SeenThings::findThings(const PlanarScan& scan, const mrpt::math::TPose2D& m
     // to unseen, is the same obstacle.
     const bool stands = std::find(isBegin, is_.end(), Is::Standing) != is_.end();
     if (stands && !before && !after && widthOf(begin, points_.end()) < parameters_.narrowest_m &&
-        !isReached(place, *begin, kBeside_m))
-      std::replace(isBegin, is_.end(), Is::New, Is::Straight);
+        !place.isReached(*begin, kBeside_m))
+      std::replace(isBegin, is_.end(), Is::New, Is::Obstacle);
     addThings(first, others, before, after);
   };
   for (std::size_t k = 0; k < scan.beam.size(); ++k) {
@@ -109,7 +107,7 @@ void SeenThings::addThings(std::size_t first, std::size_t others, bool coveredBe
                            bool coveredAfter) {
   findStraight(first, points_.size() - 1);
   for (std::size_t i = first; i < points_.size();) {
-    if (is_[i] == Is::Straight) straight_.push_back(points_[i]);
+    if (is_[i] == Is::Obstacle) obstacles_.push_back(points_[i]);
     if (is_[i] != Is::New) {
       ++i;
       continue;
@@ -141,7 +139,7 @@ void SeenThings::findStraight(std::size_t first, std::size_t last) {
   if (farthest == first) {
     if (length < parameters_.straight_m) return;
     for (std::size_t i = first; i <= last; ++i)
-      if (is_[i] != Is::Mapped) is_[i] = Is::Straight;
+      if (is_[i] != Is::Mapped) is_[i] = Is::Obstacle;
     return;
   }
   findStraight(first, farthest);

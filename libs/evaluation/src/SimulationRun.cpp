@@ -9,24 +9,6 @@ namespace {
 
 constexpr double kMoving_mps = 0.05;  // a robot faster than this at contact is at fault
 
-std::unique_ptr<Localization> makeLocalization(
-    const SimulationSetup& setup, const std::shared_ptr<const mrpt::maps::COccupancyGridMap2D>& map,
-    std::uint64_t seed) {
-  switch (setup.localization.source) {
-    case PoseSource::Truth:
-    case PoseSource::External:  // check() has refused it
-      return nullptr;
-    case PoseSource::Odometry:
-      return std::make_unique<OdometryLocalization>(setup.scenario.start);
-    case PoseSource::ParticleFilter:
-      break;
-  }
-  if (!map)
-    Config::refuse("localization", "source", "truth or odometry when [scenario] map is none");
-  return std::make_unique<ParticleFilterLocalization>(
-      setup.particleFilter, map, setup.scenario.start, static_cast<std::uint32_t>(seed));
-}
-
 /** What the robot's sensors deliver now. */
 void sense(SimulationEngine& simulator, Localization* localization, SensorFrame& frame) {
   const SimulationState& truth = simulator.state();
@@ -84,7 +66,7 @@ RunSummary runSimulation(const SimulationSetup& setup, std::uint64_t seed,
   const SimulationCase simulated = setup.simulationCase(seed);
   const auto engine = engines.make(setup.simulation.engine, simulated);
   SimulationEngine& simulator = *engine;
-  const auto localization = makeLocalization(setup, map, seed);
+  const auto localization = setup.makeLocalization(map, seed);
   NavigationCycle cycle(setup.navigation, map);
   cycle.setGoals(setup.scenario.goals);
   for (const auto& laser : simulated.lasers) cycle.expectSensor(SensorKind::Laser, laser.first);

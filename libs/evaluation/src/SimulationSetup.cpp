@@ -150,6 +150,23 @@ std::shared_ptr<const mrpt::maps::COccupancyGridMap2D> SimulationSetup::makeMap(
   return map;
 }
 
+std::unique_ptr<Localization> SimulationSetup::makeLocalization(
+    const std::shared_ptr<const mrpt::maps::COccupancyGridMap2D>& map, std::uint64_t seed) const {
+  switch (localization.source) {
+    case PoseSource::Truth:
+    case PoseSource::External:
+      return nullptr;
+    case PoseSource::Odometry:
+      return std::make_unique<OdometryLocalization>(scenario.start);
+    case PoseSource::ParticleFilter:
+      break;
+  }
+  if (!map)
+    Config::refuse("localization", "source", "not particle_filter when [scenario] map is none");
+  return std::make_unique<ParticleFilterLocalization>(particleFilter, map, scenario.start,
+                                                      static_cast<std::uint32_t>(seed));
+}
+
 SimulationCase SimulationSetup::simulationCase(std::uint64_t seed) const {
   const RobotOutline outline{navigation.footprint.polygon, navigation.footprint.radius_m};
   const bool depth = navigation.depth.enabled;

@@ -2,15 +2,17 @@
 #include <bslnav/hardware/CreateBase.h>
 #include <mrpt/core/Clock.h>
 
-#include <array>
 #include <cmath>
+
+#include "DeviceLine.h"
 
 namespace bslnav {
 namespace {
 
 using namespace std::chrono_literals;
 
-constexpr int kReadTimeout_ms = 2;         // a command waits that long, too
+constexpr double kRead_s = 0.002;          // a command waits that long, too
+constexpr double kWrite_s = 0.05;          // so long a line that takes nothing is waited for
 constexpr auto kModeChange = 20ms;         // what the robot needs between two of them
 constexpr auto kFirstFrame = 1s;           // frames come every 15 ms
 constexpr auto kRepeat = 50ms;             // a command that was damaged on its way counts so long
@@ -28,15 +30,8 @@ CreateBase::CreateBase(const CreateParameters& parameters)
     : parameters_(parameters),
       keeper_(device(parameters.port), create::fullStop()),
       odometry_(parameters) {
-  try {
-    open();
-    waitForFrame();
-  } catch (const Error&) {
-    throw;
-  } catch (const std::exception& problem) {
-    throw Error(parameters_.port, "cannot be used as a serial port: " + std::string(problem.what()),
-                Error::Kind::Run);
-  }
+  open();
+  waitForFrame();
   reader_ = std::thread(&CreateBase::run, this);
 }
 
@@ -49,9 +44,7 @@ CreateBase::~CreateBase() {
 }
 
 void CreateBase::open() {
-  port_.open(device(parameters_.port));
-  port_.setConfig(parameters_.baud);
-  port_.setTimeouts(0, 0, kReadTimeout_ms, 0, 0);
+  line_ = DeviceLine::open(device(parameters_.port), parameters_.baud);
   write(create::start());
   std::this_thread::sleep_for(kModeChange);
   write(create::safe());
@@ -104,7 +97,7 @@ bool CreateBase::isEnding() const {
 }
 
 void CreateBase::requireLine() const {
-  if (!lost_.empty()) throw Error(parameters_.port, lost_, Error::Kind::Run);
+  if (lost_) throw *lost_;
 }
 
 void CreateBase::run() noexcept {
@@ -115,18 +108,15 @@ void CreateBase::run() noexcept {
       sendWheels();
     }
     write(create::fullStop());
-  } catch (const std::exception& problem) {
+  } catch (const Error& problem) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    lost_ = "the line to the robot is gone: " + std::string(problem.what());
+    lost_ = problem;
   }
 }
 
 void CreateBase::receive() {
-  std::array<std::uint8_t, 256> bytes{};
-  const std::size_t count = port_.Read(bytes.data(), bytes.size());
-  for (std::size_t i = 0; i < count; ++i)
-    if (const auto sensors = parser_.feed(bytes[i])) take(*sensors);
-  if (!port_.isOpen()) throw std::runtime_error("is it unplugged?");
+  for (const char byte : line_->read(kRead_s))
+    if (const auto sensors = parser_.feed(static_cast<std::uint8_t>(byte))) take(*sensors);
   const std::lock_guard<std::mutex> lock(mutex_);
   badChecksums_ = parser_.badChecksums();
 }
@@ -171,6 +161,10 @@ void CreateBase::sendWheels() {
   sentAt_ = Clock::now();
 }
 
-void CreateBase::write(std::string_view bytes) { port_.Write(bytes.data(), bytes.size()); }
+void CreateBase::write(std::string_view bytes) {
+  if (line_->write(bytes, kWrite_s) < bytes.size())
+    throw Error(parameters_.port, "the line takes no more bytes; expected a robot that reads them",
+                Error::Kind::Run);
+}
 
 }  // namespace bslnav

@@ -80,12 +80,15 @@ DriveEnd RobotDrive::loop(const Observer& observer) {
     sense();
     cycle_.noteComputing(pace.computing_s());
     const CycleRecord& record = cycle_.step(frame_);
-    cycle_.noteSent(pace.paced(record.motion.command));
-    base_.drive(record.motion.command);
+    const auto sent = pace.paced(record.motion.command);
+    cycle_.noteSent(sent);
+    base_.drive(sent);
     pace.sent();
     watchdog.heard(Watchdog::Source::Loop);
-    if (record.health == CycleRecord::Health::Ok) watchdog.heard(Watchdog::Source::Sensors);
-    if (record.health != CycleRecord::Health::BadPose) watchdog.heard(Watchdog::Source::Pose);
+    const bool poseIsBad = record.health == CycleRecord::Health::BadPose;
+    if (poseIsBad || record.health == CycleRecord::Health::Ok)
+      watchdog.heard(Watchdog::Source::Sensors);
+    if (!poseIsBad) watchdog.heard(Watchdog::Source::Pose);
     if (observer && !observer({record, frame_, pace, problem_}))
       return {DriveEnd::Kind::Interrupted, "interrupted"};
     if (isEnd(record, parameters_.timeLimit_s, end)) return end;

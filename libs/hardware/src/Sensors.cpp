@@ -66,7 +66,6 @@ void Sensors::collect(SensorFrame& frame) {
 
 void Sensors::take(Sensor& sensor, SensorFrame& frame) {
   const auto status = sensor.process->status();
-  sensor.report.starts = status.starts;
   if (!status.trouble.empty()) sensor.report.trouble = status.trouble;
   CObservation2DRangeScan::ConstPtr scan;
   CObservation3DRangeScan::ConstPtr depth;
@@ -90,7 +89,10 @@ bool Sensors::isNew(Sensor& sensor, const mrpt::obs::CObservation& observation,
   report.trouble = scan ? sensor.check.refusal(*scan, stamp_s, frame.time_s)
                         : sensor.check.refusal(stamp_s, frame.time_s);
   report.refused = sensor.check.refused();
-  if (!report.trouble.empty()) return false;
+  if (!report.trouble.empty()) {
+    report.lastRefusal = report.trouble;
+    return false;
+  }
   const double latency_s = frame.time_s - stamp_s;
   if (report.frames++ == 0) sensor.first_s = stamp_s;
   sensor.latencies_s += latency_s;

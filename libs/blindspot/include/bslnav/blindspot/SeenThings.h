@@ -29,6 +29,9 @@ class SeenThings {
     const CostGrid& mapped;    ///< 255: a hit there is the map's
     StandingThings& standing;  ///< the obstacles that were found, and gets those that are
     const BitGrid& reached;    ///< where somebody unseen can have got to by now; cells of `mapped`
+
+    /** Whether that is within a distance of a point, on a square. */
+    bool isReached(const mrpt::math::TPoint2D& p, double distance_m) const;
   };
 
   struct Thing {
@@ -47,11 +50,11 @@ class SeenThings {
   const std::vector<Thing>& things() const { return things_; }
   /** Map frame. */
   const std::vector<mrpt::math::TPoint2D>& points() const { return points_; }
-  /** Those of straight obstacles, along them. */
-  const std::vector<mrpt::math::TPoint2D>& straight() const { return straight_; }
+  /** Those of what is an obstacle by its form or its place, along it. */
+  const std::vector<mrpt::math::TPoint2D>& obstacles() const { return obstacles_; }
 
  private:
-  enum class Is : std::uint8_t { New, Mapped, Standing, Straight };  // what explains a hit
+  enum class Is : std::uint8_t { New, Mapped, Standing, Obstacle };  // what explains a hit
   struct Top {                                                       // of a hit with a height
     mrpt::math::TPoint2D at;
     double height_m;
@@ -69,7 +72,7 @@ class SeenThings {
   std::optional<bool> isLow(const Thing& thing) const;
 
   SeenPeopleParameters parameters_;
-  std::vector<mrpt::math::TPoint2D> points_, straight_;
+  std::vector<mrpt::math::TPoint2D> points_, obstacles_;
   std::vector<Is> is_;  // of points_
   std::vector<Top> tops_;
   std::vector<Thing> things_;

@@ -84,6 +84,10 @@ struct SimulationSetup {
   bool isSimulated() const { return robot.type == RobotType::Simulated; }
   /** The static map that the robot navigates by; null for none. @throws Error */
   std::shared_ptr<const mrpt::maps::COccupancyGridMap2D> makeMap() const;
+  /** What tells where the robot is, from the scenario's start on; null when nobody has to: the
+   * truth is known, or the base localises itself. @throws Error when the map is missing for it */
+  std::unique_ptr<Localization> makeLocalization(
+      const std::shared_ptr<const mrpt::maps::COccupancyGridMap2D>& map, std::uint64_t seed) const;
   /** What an engine has to simulate; cameras only when `navigation.depth` is enabled. */
   SimulationCase simulationCase(std::uint64_t seed) const;
 

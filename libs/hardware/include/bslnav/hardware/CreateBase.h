@@ -1,20 +1,24 @@
 #pragma once
 
+#include <bslnav/config/Error.h>
 #include <bslnav/hardware/Base.h>
 #include <bslnav/hardware/CreateKinematics.h>
 #include <bslnav/hardware/CreateParameters.h>
 #include <bslnav/hardware/CreateProtocol.h>
 #include <bslnav/hardware/Keeper.h>
-#include <mrpt/comms/CSerialPort.h>
 
 #include <chrono>
 #include <cstddef>
+#include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <thread>
 
 namespace bslnav {
+
+class DeviceLine;
 
 /** An iRobot Create 2, or a Roomba, on its Open Interface over a serial line.
  *
@@ -57,7 +61,7 @@ class CreateBase : public Base {
   Keeper keeper_;
 
   // Used by the constructor, then by the reader alone: so nobody waits for a slow line.
-  mrpt::comms::CSerialPort port_;
+  std::unique_ptr<DeviceLine> line_;
   CreateFrameParser parser_;
   CreateOdometry odometry_;
   CreateSensors sensors_;
@@ -70,7 +74,7 @@ class CreateBase : public Base {
   mrpt::math::TTwist2D wanted_;
   Clock::time_point wantedAt_;
   std::size_t badChecksums_ = 0;
-  std::string lost_;  // why there is no line any more
+  std::optional<Error> lost_;  // why there is no line any more
   bool ending_ = false;
 
   std::thread reader_;  // the last, for it uses all others

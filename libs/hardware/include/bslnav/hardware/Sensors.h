@@ -27,10 +27,11 @@ class Sensors {
   struct Report {
     std::string name, driver;
     SensorKind kind = SensorKind::Laser;
-    int frames = 0, refused = 0, starts = 0;
+    int frames = 0, refused = 0;
     double rate_hz = 0.0, latency_s = 0.0,
            worstLatency_s = 0.0;          ///< from its stamp until collected
     std::string trouble;                  ///< the newest, in words; empty: none
+    std::string lastRefusal;              ///< why the last measurement was refused that was
     mrpt::obs::CObservation::Ptr newest;  ///< null: nothing came yet
   };
 

@@ -5,7 +5,7 @@
 #include <bslnav/blindspot/HiddenPeople.h>
 #include <bslnav/blindspot/PersonVisibility.h>
 #include <bslnav/blindspot/ScanJumpDetector.h>
-#include <bslnav/blindspot/SeenPeople.h>
+#include <bslnav/blindspot/SeenPeopleParameters.h>
 #include <bslnav/config/Config.h>
 #include <bslnav/costmap/DepthScan.h>
 #include <bslnav/costmap/LayeredCostmap.h>

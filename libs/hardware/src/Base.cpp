@@ -1,1 +1,0 @@
-#include <bslnav/hardware/Base.h>
