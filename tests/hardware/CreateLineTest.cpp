@@ -1,11 +1,9 @@
 // What a serial line does to the driver of a Create 2.
 
 #include <bslnav/config/Error.h>
-#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <mrpt/core/Clock.h>
-#include <unistd.h>
 
 #include <fstream>
 
@@ -74,18 +72,6 @@ TEST(CreateLine, WhereNoRobotAnswersIsAnError) {
   PseudoTerminal line;
   EXPECT_THAT(problemOf([&] { CreateBase base(createAt(line.path())); }),
               AllOf(HasSubstr(line.path()), HasSubstr("no robot answers")));
-}
-
-/** Nobody reads what the driver writes: the line is full after some thousand bytes. */
-TEST(CreateLine, ALineThatTakesNothingHoldsNobodyUp) {
-  PseudoTerminal line;
-  const std::string full(1 << 16, '\0');
-  const int other = ::open(line.path().c_str(), O_WRONLY | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
-  while (::write(other, full.data(), full.size()) > 0) {
-  }
-  ::close(other);
-  EXPECT_THAT(problemOf([&] { CreateBase base(createAt(line.path())); }),
-              AllOf(HasSubstr(line.path()), HasSubstr("takes no more bytes")));
 }
 
 TEST(CreateLine, WhereNoPortIsIsAnError) {
