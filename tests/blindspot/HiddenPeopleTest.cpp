@@ -125,6 +125,26 @@ TEST(HiddenPeople, NobodyFitsBehindAThinPole) {
   EXPECT_GT(nearest(hidden.frontier()), 2.8);
 }
 
+/** Behind a body 0.5 m wide at 1 m somebody fits into its shadow, but not into the body itself. */
+TEST(HiddenPeople, NobodyIsInTheBodyOfSomebodySeen) {
+  const auto disc = [](double angle) {
+    const double across = 1.25 * std::sin(angle);
+    return std::abs(angle) < 0.2 ? 1.25 * std::cos(angle) - std::sqrt(0.0625 - across * across)
+                                 : 3.0;
+  };
+  const PlanarScan scan = around(disc);
+  std::vector<TPoint2D> bodies;
+  for (double angle = -0.195; angle < 0.2; angle += 0.01)
+    bodies.push_back(TPoint2D(std::cos(angle), std::sin(angle)) * disc(angle));
+  HiddenPeople anything = people(), somebody = people();
+  anything.update({&scan}, 0.0, {}, kWalk_mps);
+  somebody.look({&scan}, 0.0, {}, kWalk_mps);
+  somebody.findFrontier(bodies);
+  EXPECT_LT(nearest(anything.frontier()), 1.25);
+  EXPECT_GT(nearest(somebody.frontier()), 1.35);
+  EXPECT_LT(nearest(somebody.frontier()), 1.75);  // who touches the body from behind
+}
+
 /** What was seen empty stays so until somebody can have walked there: the nearest hiding place is
  * outside the round room, and a pillar of half a metre hides nobody who was not there before. */
 TEST(HiddenPeople, RememberWhatWasSeenEmpty) {

@@ -49,6 +49,7 @@ class Seen {
   }
   const Frontier& frontier() const { return people_.frontier(); }
   const Movers& movers() const { return people_.movers(); }
+  const std::vector<mrpt::math::TPoint2D>& bodies() const { return people_.bodies(); }
   const std::vector<Track>& tracks() const { return people_.tracks(); }
 
  private:

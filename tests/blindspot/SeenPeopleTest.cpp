@@ -22,6 +22,23 @@ TEST(SeenPeople, SomebodyWhoStandsMayAlwaysWalkOff) {
   }
 }
 
+/** Of who is covered in part, nobody knows how deep that part is; a pole is no body. */
+TEST(SeenPeople, HaveBodiesWhenSeenWhole) {
+  Seen alone, covered, thin;
+  const PlanarScan person = discAt(2.0, 0.0, 0.25);
+  const PlanarScan half = nearerOf(person, discAt(1.0, 0.12, 0.1));
+  const PlanarScan pole = discAt(2.0, 0.0, 0.1);
+  alone.update({{&person}, {}, {}}, 0.0);
+  covered.update({{&half}, {}, {}}, 0.0);
+  thin.update({{&pole}, {}, {}}, 0.0);
+  ASSERT_EQ(alone.bodies().size(), alone.frontier().size());
+  for (const auto& p : alone.bodies()) EXPECT_NEAR(std::hypot(p.x - 2.0, p.y), 0.25, 0.01);
+  EXPECT_FALSE(covered.frontier().empty());
+  EXPECT_TRUE(covered.bodies().empty());
+  EXPECT_FALSE(thin.frontier().empty());
+  EXPECT_TRUE(thin.bodies().empty());
+}
+
 TEST(SeenPeople, WhoWalksIsAMover) {
   Seen people;
   for (int k = 0; k < 20; ++k) {

@@ -1,5 +1,4 @@
 #include <bslnav/blindspot/HiddenPeople.h>
-#include <bslnav/config/VectorClones.h>
 #include <mrpt/maps/COccupancyGridMap2D.h>
 
 #include <algorithm>
@@ -7,8 +6,12 @@
 #include <cmath>
 #include <limits>
 
+#include "PolarRow.h"
+
 namespace bslnav {
 namespace {
+
+using mrpt::math::TPoint2D;
 
 constexpr Cost kYes = 255, kNo = 0;
 
@@ -29,32 +32,6 @@ std::optional<StaticLayer> staticLayer(const mrpt::maps::COccupancyGridMap2D* ma
   return StaticLayer(*map, resolution_m, thresholds);
 }
 
-/** Squared lengths and directions (indices as ScanView's) of the vectors (x0 + i·step, y), turned
- * by `offset` directions; the arc tangent is exact to 1e-5 rad (Hastings' polynomial). */
-BSLNAV_VECTOR_CLONES
-void polar(float x0, float y, float step, float offset, int count, int* directions,
-           float* squared) {
-  constexpr float kPerTurn = ScanView::kDirections, kPerRadian = kPerTurn / (2.0f * 3.14159265f);
-  for (int i = 0; i < count; ++i) {
-    const float x = x0 + step * static_cast<float>(i);
-    const float ax = std::abs(x), ay = std::abs(y);
-    const float low = ax < ay ? ax : ay, high = ax < ay ? ay : ax;
-    const float t = low / (high + 1e-9f), t2 = t * t;
-    float a =
-        t *
-        (0.99997726f +
-         t2 * (-0.33262347f +
-               t2 * (0.19354346f + t2 * (-0.11643287f + t2 * (0.05265332f - 0.01172120f * t2)))));
-    a = ax < ay ? 1.57079633f - a : a;
-    a = x < 0.0f ? 3.14159265f - a : a;
-    a = y < 0.0f ? -a : a;
-    // Two turns are added, so that cutting off rounds down.
-    directions[i] =
-        static_cast<int>(a * kPerRadian + offset + 2.5f * kPerTurn) & (ScanView::kDirections - 1);
-    squared[i] = x * x + y * y;
-  }
-}
-
 }  // namespace
 
 void HiddenPeopleParameters::describe(ConfigSection& section) {
@@ -65,6 +42,8 @@ void HiddenPeopleParameters::describe(ConfigSection& section) {
                  "nobody comes out between two neighbouring hits nearer to each other");
   section.number("map_tolerance_m", mapTolerance_m, kNonNegative, "m",
                  "a hit this near to an occupied cell of the map is the map's");
+  section.number("body_depth_m", bodyDepth_m, {0.0, 1.0}, "m",
+                 "how deep people are at least: nobody hides nearer behind somebody who is seen");
   section.number("reach_m", reach_m, {1.0, 20.0}, "m",
                  "how far from the robot hidden people matter, to each side");
   section.number("resolution_m", resolution_m, {0.01, 0.5}, "m", "side of a cell");
@@ -105,9 +84,17 @@ HiddenPeople::HiddenPeople(const HiddenPeopleParameters& parameters, double body
 void HiddenPeople::update(const std::vector<const PlanarScan*>& scans, double stamp_s,
                           const mrpt::math::TPose2D& mapFromRobot, double personSpeed_mps) {
   if (scans.empty()) return;
+  look(scans, stamp_s, mapFromRobot, personSpeed_mps);
+  findFrontier({});
+}
+
+void HiddenPeople::look(const std::vector<const PlanarScan*>& scans, double stamp_s,
+                        const mrpt::math::TPose2D& mapFromRobot, double personSpeed_mps) {
+  if (scans.empty()) return;
   const double elapsed_s = started_ ? std::max(0.0, stamp_s - stamp_s_) : 0.0;
   stamp_s_ = started_ ? std::max(stamp_s, stamp_s_) : stamp_s;
-  recentre(mapFromRobot);
+  mapFromRobot_ = mapFromRobot;
+  recentre();
   standing_.follow(solid_);
   started_ = true;
   fill(seen_, kNo);
@@ -115,22 +102,33 @@ void HiddenPeople::update(const std::vector<const PlanarScan*>& scans, double st
   for (const PlanarScan* scan : scans) {
     view_.assign(*scan, parameters_.gap_m);
     noteLooks(view_);
-    look(view_, mapFromRobot);
-    markSurfaces(view_, mapFromRobot);
+    cutOut(view_);
+    markSurfaces(view_);
   }
   standing_.forget(seen_);
   grow(personSpeed_mps * elapsed_s);
-  if (parameters_.outsideView == HiddenPeopleParameters::OutsideView::Free)
-    forgetOutsideView(mapFromRobot);
-  clearRobot(mapFromRobot);
-  keepWhereSomebodyFits();
-  findFrontier(mapFromRobot);
+  if (parameters_.outsideView == HiddenPeopleParameters::OutsideView::Free) forgetOutsideView();
+  clearRobot();
 }
 
-void HiddenPeople::recentre(const mrpt::math::TPose2D& mapFromRobot) {
+void HiddenPeople::findFrontier(const std::vector<TPoint2D>& bodies) {
+  clearBodies(bodies);
+  keepWhereSomebodyFits();
+  floodFromRobot();
+  workBits_.growCross();
+  workBits_.keep(possibleBits_);
+  frontier_.clear();
+  workBits_.forEach([this](int x, int y) {
+    if (x == 0 || y == 0 || x + 1 == possible_.width() || y + 1 == possible_.height()) return;
+    frontier_.push_back({static_cast<float>(possible_.idx2x(x)),
+                         static_cast<float>(possible_.idx2y(y)), FrontierPoint::Kind::Hidden});
+  });
+}
+
+void HiddenPeople::recentre() {
   const int half = possible_.width() / 2;
-  const int dx = possible_.cellX(mapFromRobot.x) - half;
-  const int dy = possible_.cellY(mapFromRobot.y) - half;
+  const int dx = possible_.cellX(mapFromRobot_.x) - half;
+  const int dy = possible_.cellY(mapFromRobot_.y) - half;
   if (dx == 0 && dy == 0 && started_) return;
   for (CostGrid* grid : {&possible_, &seen_, &surface_, &solid_, &mapped_})
     grid->shift(dx, dy, kYes);
@@ -152,14 +150,14 @@ void HiddenPeople::recentre(const mrpt::math::TPose2D& mapFromRobot) {
   workBits_.copyTo(mapped_, kYes, kNo);
 }
 
-void HiddenPeople::look(const ScanView& view, const mrpt::math::TPose2D& mapFromRobot) {
-  const auto eye = mapFromRobot.composePoint({view.origin().x, view.origin().y});
+void HiddenPeople::cutOut(const ScanView& view) {
+  const auto eye = mapFromRobot_.composePoint({view.origin().x, view.origin().y});
   const auto step = static_cast<float>(parameters_.resolution_m);
-  const auto offset = static_cast<float>(-mapFromRobot.phi * ScanView::kDirections / (2.0 * M_PI));
+  const auto offset = static_cast<float>(-mapFromRobot_.phi * ScanView::kDirections / (2.0 * M_PI));
   const int width = seen_.width();
   for (int y = 0; y < seen_.height(); ++y) {
-    polar(static_cast<float>(seen_.idx2x(0) - eye.x), static_cast<float>(seen_.idx2y(y) - eye.y),
-          step, offset, width, directions_.data(), squared_.data());
+    polarRow(static_cast<float>(seen_.idx2x(0) - eye.x), static_cast<float>(seen_.idx2y(y) - eye.y),
+             step, offset, width, directions_.data(), squared_.data());
     Cost* row = seen_.row(y);
     for (int x = 0; x < width; ++x) {
       const auto i = static_cast<std::size_t>(x);
@@ -182,12 +180,12 @@ bool HiddenPeople::looksBehind() const {
          std::none_of(lookedAt_s_.end() - kHalf, lookedAt_s_.end(), isOld);
 }
 
-void HiddenPeople::markSurfaces(const ScanView& view, const mrpt::math::TPose2D& mapFromRobot) {
+void HiddenPeople::markSurfaces(const ScanView& view) {
   const auto r = static_cast<float>(parameters_.resolution_m);
-  const auto c = static_cast<float>(std::cos(mapFromRobot.phi));
-  const auto s = static_cast<float>(std::sin(mapFromRobot.phi));
-  const auto x0 = static_cast<float>((mapFromRobot.x - surface_.getXMin()) / r);
-  const auto y0 = static_cast<float>((mapFromRobot.y - surface_.getYMin()) / r);
+  const auto c = static_cast<float>(std::cos(mapFromRobot_.phi));
+  const auto s = static_cast<float>(std::sin(mapFromRobot_.phi));
+  const auto x0 = static_cast<float>((mapFromRobot_.x - surface_.getXMin()) / r);
+  const auto y0 = static_cast<float>((mapFromRobot_.y - surface_.getYMin()) / r);
   for (const auto& piece : view.surfaces()) {
     const float dx = piece.to.x - piece.from.x, dy = piece.to.y - piece.from.y;
     const int steps = 1 + static_cast<int>(4.0f * std::sqrt(dx * dx + dy * dy) / r);
@@ -232,23 +230,38 @@ void HiddenPeople::grow(double distance_m) {
   reachedBits_ = possibleBits_;
 }
 
-void HiddenPeople::forgetOutsideView(const mrpt::math::TPose2D& mapFromRobot) {
+void HiddenPeople::forgetOutsideView() {
   std::array<Cost, ScanView::kDirections> away;
   const double oldest_s = stamp_s_ - parameters_.lookMemory_s;
   for (std::size_t i = 0; i < away.size(); ++i) away[i] = lookedAt_s_[i] < oldest_s ? kYes : kNo;
   if (std::count(away.begin(), away.end(), kYes) == 0) return;
-  const auto offset = static_cast<float>(-mapFromRobot.phi * ScanView::kDirections / (2.0 * M_PI));
+  const auto offset = static_cast<float>(-mapFromRobot_.phi * ScanView::kDirections / (2.0 * M_PI));
   for (int y = 0; y < possible_.height(); ++y) {
-    polar(static_cast<float>(possible_.idx2x(0) - mapFromRobot.x),
-          static_cast<float>(possible_.idx2y(y) - mapFromRobot.y),
-          static_cast<float>(parameters_.resolution_m), offset, possible_.width(),
-          directions_.data(), squared_.data());
+    polarRow(static_cast<float>(possible_.idx2x(0) - mapFromRobot_.x),
+             static_cast<float>(possible_.idx2y(y) - mapFromRobot_.y),
+             static_cast<float>(parameters_.resolution_m), offset, possible_.width(),
+             directions_.data(), squared_.data());
     Cost *row = possible_.row(y), *seen = seen_.row(y);
     for (int x = 0; x < possible_.width(); ++x) {
       const Cost here = away[static_cast<std::size_t>(directions_[static_cast<std::size_t>(x)])];
       row[x] = static_cast<Cost>(row[x] & ~here);
       // No room for somebody in the strip beside the view of a sensor off the centre.
       seen[x] = static_cast<Cost>(seen[x] | here);
+    }
+  }
+}
+
+/** Nobody else is where the bodies are of people who are seen, nor partly. */
+void HiddenPeople::clearBodies(const std::vector<TPoint2D>& bodies) {
+  const double step_m = 0.5 * parameters_.resolution_m;
+  for (const TPoint2D& hit : bodies) {
+    const TPoint2D ray = hit - TPoint2D(mapFromRobot_.x, mapFromRobot_.y);
+    const double range_m = ray.norm();
+    if (range_m < step_m) continue;
+    for (double depth_m = 0.0; depth_m <= parameters_.bodyDepth_m; depth_m += step_m) {
+      const TPoint2D p = hit + ray * (depth_m / range_m);
+      const int x = seen_.cellX(p.x), y = seen_.cellY(p.y);
+      if (seen_.bounds().contains(x, y)) seen_.at(x, y) = kYes;
     }
   }
 }
@@ -265,18 +278,18 @@ void HiddenPeople::keepWhereSomebodyFits() {
 }
 
 /** The square around the robot's body, as far as the grid reaches. */
-CellWindow HiddenPeople::cellsOfRobot(const mrpt::math::TPose2D& mapFromRobot) const {
+CellWindow HiddenPeople::cellsOfRobot() const {
   const int reach = 1 + static_cast<int>(bodyRadius_m_ / parameters_.resolution_m);
-  const int x = possible_.cellX(mapFromRobot.x), y = possible_.cellY(mapFromRobot.y);
+  const int x = possible_.cellX(mapFromRobot_.x), y = possible_.cellY(mapFromRobot_.y);
   return CellWindow{x, y, x + 1, y + 1}.grown(reach).intersected(possible_.bounds());
 }
 
-void HiddenPeople::clearRobot(const mrpt::math::TPose2D& mapFromRobot) {
-  const CellWindow window = cellsOfRobot(mapFromRobot);
+void HiddenPeople::clearRobot() {
+  const CellWindow window = cellsOfRobot();
   for (int y = window.y0; y < window.y1; ++y)
     for (int x = window.x0; x < window.x1; ++x) {
-      const double dx = possible_.idx2x(x) - mapFromRobot.x;
-      const double dy = possible_.idx2y(y) - mapFromRobot.y;
+      const double dx = possible_.idx2x(x) - mapFromRobot_.x;
+      const double dy = possible_.idx2y(y) - mapFromRobot_.y;
       if (dx * dx + dy * dy > bodyRadius_m_ * bodyRadius_m_) continue;
       possible_.at(x, y) = kNo;
       seen_.at(x, y) = kYes;  // nobody fits between the robot and what is seen near it
@@ -286,26 +299,14 @@ void HiddenPeople::clearRobot(const mrpt::math::TPose2D& mapFromRobot) {
 /** Leaves in workBits_ the cells that are free of people and connected with the robot, through
  * whatever is neither a wall nor possible: seen, or hidden where nobody fits. Behind walls there
  * are such cells, too, but nobody walks from there to the robot. */
-void HiddenPeople::floodFromRobot(const mrpt::math::TPose2D& mapFromRobot) {
+void HiddenPeople::floodFromRobot() {
   blockedBits_.add(possibleBits_);
   blockedBits_.invert();
   workBits_.clear();
-  const CellWindow window = cellsOfRobot(mapFromRobot);
+  const CellWindow window = cellsOfRobot();
   for (int y = window.y0; y < window.y1; ++y)
     for (int x = window.x0; x < window.x1; ++x) workBits_.set(x, y);
   workBits_.flood(blockedBits_);
-}
-
-void HiddenPeople::findFrontier(const mrpt::math::TPose2D& mapFromRobot) {
-  floodFromRobot(mapFromRobot);
-  workBits_.growCross();
-  workBits_.keep(possibleBits_);
-  frontier_.clear();
-  workBits_.forEach([this](int x, int y) {
-    if (x == 0 || y == 0 || x + 1 == possible_.width() || y + 1 == possible_.height()) return;
-    frontier_.push_back({static_cast<float>(possible_.idx2x(x)),
-                         static_cast<float>(possible_.idx2y(y)), FrontierPoint::Kind::Hidden});
-  });
 }
 
 }  // namespace bslnav

@@ -22,6 +22,7 @@ void SeenPeople::update(const Views& views, double stamp_s, const mrpt::math::TP
   if (views.lasers.empty() && views.cameras.empty()) return;
   seen_.find(views, mapFromRobot, place);
   frontier_.clear();
+  bodies_.clear();
   verdicts_.clear();
   obstacles_ = seen_.obstacles();
   for (const Thing& thing : seen_.things()) {
@@ -58,12 +59,14 @@ SeenPeople::Verdict SeenPeople::verdictOf(const Thing& thing, double stamp_s, co
 void SeenPeople::note(const Thing& thing, Verdict verdict) {
   const auto kind =
       verdict == Verdict::Stands ? FrontierPoint::Kind::Standing : FrontierPoint::Kind::Seen;
+  const bool isWhole = !thing.isCovered && !isNarrow(thing);
   for (std::size_t i = thing.first; i < thing.first + thing.count; ++i) {
     const TPoint2D& p = seen_.points()[i];
     if (verdict != Verdict::Obstacle)
       frontier_.push_back({static_cast<float>(p.x), static_cast<float>(p.y), kind});
     else if (!thing.another)
       obstacles_.push_back(p);
+    if (verdict != Verdict::Obstacle && isWhole) bodies_.push_back(p);
   }
 }
 

@@ -187,15 +187,24 @@ void MotionPlanner::makeWay(const Input& input, const CostGrid& costs, Motion& m
   motion.command = limited(wanted, input.commandBase, limits_, controlPeriod_s_);
 }
 
+/** The fastest on an arc that is admissible, up to where the planner goes on; at least creeping. */
+double MotionPlanner::creepSpeed_mps(double turn_radps, const Input& input) const {
+  const double creep = std::min(input.guard->parameters().creepSpeed_mps, limits_.maxSpeed_mps);
+  constexpr double kStep_mps = 0.01;
+  for (double v = std::min(Guard::kWorthwhile_mps, limits_.maxSpeed_mps); v > creep; v -= kStep_mps)
+    if (input.guard->admitsTowards({v, 0.0, turn_radps}, input.commandBase)) return v;
+  return creep;
+}
+
 /** Keeps to the path: over the way of a few seconds, creeping candidates all but tie, and standing
  * with them. */
 Motion MotionPlanner::creep(const Input& input, const CostGrid& costs) {
   const TPoint2D robot{input.mapFromRobot.x, input.mapFromRobot.y};
-  const double speed = std::min(input.guard->parameters().creepSpeed_mps, limits_.maxSpeed_mps);
   const double bearing =
       bearingTo(input.mapFromRobot, pointAhead(input.path, robot, kCreepAhead_m));
   const double turn =
       std::clamp(bearing, -limits_.maxYawRate_radps, limits_.maxYawRate_radps);  // in a second
+  const double speed = creepSpeed_mps(turn, input);
   Motion motion;
   motion.mode = MotionMode::Follow;
   motion.localGoal = pointAhead(input.path, robot, parameters_.lookahead_m);

@@ -18,9 +18,10 @@ void People::update(const Views& views, double stamp_s, const mrpt::math::TPose2
   all_ = views_.lasers;
   all_.insert(all_.end(), views_.cameras.begin(), views_.cameras.end());
   if (all_.empty()) return;
-  hidden_.update(all_, stamp_s, mapFromRobot, personSpeed_mps);
+  hidden_.look(all_, stamp_s, mapFromRobot, personSpeed_mps);
   seen_.update(views_, stamp_s, mapFromRobot,
                {hidden_.mapped(), hidden_.standing(), hidden_.reached()}, personSpeed_mps);
+  hidden_.findFrontier(seen_.bodies());
   frontier_.assign(hidden_.frontier().begin(), hidden_.frontier().end());
   frontier_.insert(frontier_.end(), seen_.frontier().begin(), seen_.frontier().end());
 }

@@ -11,8 +11,7 @@ using mrpt::math::TPose2D;
 using mrpt::math::TTwist2D;
 
 constexpr double kStanding_mps = 1e-3;
-constexpr double kWorthwhile_mps = 0.1;  // slower than that, creeping is as good
-constexpr double kFinest_s = 0.005;      // of the steps along an arc
+constexpr double kFinest_s = 0.005;  // of the steps along an arc
 
 /** The way of a command: an arc that is driven at a speed and then braked on. */
 struct StoppingWay {

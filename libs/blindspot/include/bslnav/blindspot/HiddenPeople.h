@@ -24,6 +24,7 @@ struct HiddenPeopleParameters {
   double radius_m = 0.25;       ///< r_p: of the smallest disc that a person covers
   double gap_m = 0.4;           ///< nobody comes out between two hits that are nearer to each other
   double mapTolerance_m = 0.1;  ///< a hit this near to an occupied cell of the map is the map's
+  double bodyDepth_m = 0.3;     ///< nobody is nearer behind what is seen of somebody
   double reach_m = 4.0;         ///< farther from the robot nobody matters
   double resolution_m = 0.05;
   double lookMemory_s = 0.5;  ///< a direction counts as looked at for so long
@@ -49,12 +50,20 @@ class HiddenPeople {
                const std::shared_ptr<const mrpt::maps::COccupancyGridMap2D>& map,
                const StaticParameters& mapThresholds);
 
-  /** Takes in what was seen; without scans nothing changes.
+  /** look() and findFrontier() where nobody is seen. */
+  void update(const std::vector<const PlanarScan*>& scans, double stamp_s,
+              const mrpt::math::TPose2D& mapFromRobot, double personSpeed_mps);
+
+  /** Takes in what was seen, and lets people walk on; without scans nothing changes.
    *  @param scans lasers' or PersonVisibility's, in the robot frame of `mapFromRobot`
    *  @param stamp_s when the oldest of them was taken; the state is that of this time
    *  @param personSpeed_mps how fast people walk at most */
-  void update(const std::vector<const PlanarScan*>& scans, double stamp_s,
-              const mrpt::math::TPose2D& mapFromRobot, double personSpeed_mps);
+  void look(const std::vector<const PlanarScan*>& scans, double stamp_s,
+            const mrpt::math::TPose2D& mapFromRobot, double personSpeed_mps);
+
+  /** Keeps who fits where they may be, and finds the edge of that.
+   *  @param bodies the hits on people who are seen whole, map frame: behind each is the body */
+  void findFrontier(const std::vector<mrpt::math::TPoint2D>& bodies);
 
   /** The outermost possible cells towards the robot, map frame. */
   const Frontier& frontier() const { return frontier_; }
@@ -72,17 +81,17 @@ class HiddenPeople {
   StandingThings& standing() { return standing_; }
 
  private:
-  void recentre(const mrpt::math::TPose2D& mapFromRobot);
-  void look(const ScanView& view, const mrpt::math::TPose2D& mapFromRobot);
+  void recentre();
+  void cutOut(const ScanView& view);
   void noteLooks(const ScanView& view);
-  void markSurfaces(const ScanView& view, const mrpt::math::TPose2D& mapFromRobot);
+  void markSurfaces(const ScanView& view);
   void grow(double distance_m);
-  void forgetOutsideView(const mrpt::math::TPose2D& mapFromRobot);
+  void forgetOutsideView();
+  void clearBodies(const std::vector<mrpt::math::TPoint2D>& bodies);
   void keepWhereSomebodyFits();
-  CellWindow cellsOfRobot(const mrpt::math::TPose2D& mapFromRobot) const;
-  void clearRobot(const mrpt::math::TPose2D& mapFromRobot);
-  void floodFromRobot(const mrpt::math::TPose2D& mapFromRobot);
-  void findFrontier(const mrpt::math::TPose2D& mapFromRobot);
+  CellWindow cellsOfRobot() const;
+  void clearRobot();
+  void floodFromRobot();
 
   HiddenPeopleParameters parameters_;
   double bodyRadius_m_;
@@ -96,6 +105,7 @@ class HiddenPeople {
   std::vector<int> directions_;  // of the cells of a row
   std::vector<float> squared_;   // their squared distances
   std::vector<double> lookedAt_s_;
+  mrpt::math::TPose2D mapFromRobot_;
   double stamp_s_ = 0.0, owed_m_ = 0.0;  // growth that is still owed
   bool started_ = false, square_ = false;
   Frontier frontier_;

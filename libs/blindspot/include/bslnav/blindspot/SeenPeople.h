@@ -46,6 +46,8 @@ class SeenPeople {
 
   /** The points seen of all who may walk, map frame. */
   const Frontier& frontier() const { return frontier_; }
+  /** The hits on those who are seen whole, map frame. */
+  const std::vector<mrpt::math::TPoint2D>& bodies() const { return bodies_; }
   /** Those who walk, as fast as they are seen to, and those who have just stopped, as fast as they
    * walked: they may walk on. */
   const Movers& movers() const { return movers_; }
@@ -73,6 +75,7 @@ class SeenPeople {
   SeenThings seen_;
   std::vector<Verdict> verdicts_;                // of its things
   std::vector<mrpt::math::TPoint2D> obstacles_;  // seen now, along them
+  std::vector<mrpt::math::TPoint2D> bodies_;
   std::vector<Track> tracks_;
   Frontier frontier_;
   Movers movers_;

@@ -81,6 +81,7 @@ class MotionPlanner {
  private:
   Motion follow(const Input& input, const CostGrid& costs);
   Motion plan(const Input& input, const CostGrid& costs);
+  double creepSpeed_mps(double turn_radps, const Input& input) const;
   Motion creep(const Input& input, const CostGrid& costs);
   void makeWay(const Input& input, const CostGrid& costs, Motion& motion) const;
   Motion rotate(MotionMode mode, double error_rad, const Input& input, const CostGrid& costs);

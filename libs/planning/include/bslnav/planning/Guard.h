@@ -62,6 +62,8 @@ GuardVerdict guardVerdict(const mrpt::math::TTwist2D& command,
 /** The same condition, fast, for the many candidates of one control cycle. */
 class Guard {
  public:
+  static constexpr double kWorthwhile_mps = 0.1;  ///< slower than that, the path is kept to
+
   Guard(const GuardParameters& parameters, const RobotLimits& limits, double robotRadius_m,
         double controlPeriod_s);
 
