@@ -145,7 +145,9 @@ bool isSeen(const mrpt::obs::CObservation3DRangeScan& image, double angle, doubl
                      image.sensorPose.translation();
     const double across = std::hypot(tip.x, tip.y);
     const double z = image.sensorPose.z() + range_m * tip.z / across;
-    return 0.001 * image.rangeImage(v, u) * across >= range_m && z >= 0.0 && z <= kPerson_m;
+    const double depth_m = 0.001 * image.rangeImage(v, u);
+    const bool isDepth = depth_m <= static_cast<double>(image.maxRange);
+    return isDepth && depth_m * across >= range_m && z >= 0.0 && z <= kPerson_m;
   };
   for (int v = 1; v < int(camera.nrows); ++v)
     for (int u = 0; u < int(camera.ncols); ++u) {

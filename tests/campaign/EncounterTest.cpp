@@ -65,6 +65,21 @@ TEST(Encounter, PeopleWalkThroughFreePlacesAtTheSpeedsThatWereAskedFor) {
   }
 }
 
+/** Two who stood in each other would look like a wall. */
+TEST(Encounter, InACrowdPeopleStandBesideEachOther) {
+  for (long number = kFamilies - 1; number < kEncounters; number += kFamilies) {
+    const Encounter encounter = makeEncounter({}, 3, number);
+    ASSERT_EQ(encounter.family, Family::Crowd);
+    std::vector<mrpt::math::TPoint2D> places;
+    for (const auto& [name, person] : encounter.world.pedestrians) {
+      for (const auto& other : places)
+        for (const auto& place : {person.path_m.front(), person.path_m.back()})
+          EXPECT_GE((place - other).norm(), 0.6) << number;
+      places.insert(places.end(), {person.path_m.front(), person.path_m.back()});
+    }
+  }
+}
+
 TEST(Encounter, TheRobotStartsFreeOfPeopleAndItsGoalIsFree) {
   for (long number = 0; number < kEncounters; ++number) {
     const Encounter encounter = makeEncounter({}, 3, number);

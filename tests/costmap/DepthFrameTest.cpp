@@ -69,6 +69,11 @@ TEST(DepthFrame, DropsDepthsBeyondTheMaximum) {
   image.maxRange = 2.9f;
   EXPECT_EQ(frameOf(image).depthRow(29)[40], 0.0f);  // the wall
   EXPECT_GT(frameOf(image).depthRow(59)[40], 0.0f);  // the floor
+  image.maxRange = 6.0f;
+  image.rangeImage(29, 40) = 6000;
+  image.rangeImage(29, 41) = 6001;
+  EXPECT_NEAR(frameOf(image).depthRow(29)[40], 6.0f, 1e-5f);
+  EXPECT_EQ(frameOf(image).depthRow(29)[41], 0.0f);
 }
 
 TEST(DepthFrame, SaysWhyAnImageCannotBeUsed) {

@@ -37,13 +37,11 @@ std::optional<StaticLayer> staticLayer(const mrpt::maps::COccupancyGridMap2D* ma
 void HiddenPeopleParameters::describe(ConfigSection& section) {
   section.number("person_radius_m", radius_m, {0.05, 1.0}, "m",
                  "radius of the smallest disc that a person covers: nobody hides where it does not "
-                 "fit");
+                 "fit, nor in that of somebody who is seen");
   section.number("gap_m", gap_m, {0.0, 2.0}, "m",
                  "nobody comes out between two neighbouring hits nearer to each other");
   section.number("map_tolerance_m", mapTolerance_m, kNonNegative, "m",
                  "a hit this near to an occupied cell of the map is the map's");
-  section.number("body_depth_m", bodyDepth_m, {0.0, 1.0}, "m",
-                 "how deep people are at least: nobody hides nearer behind somebody who is seen");
   section.number("reach_m", reach_m, {1.0, 20.0}, "m",
                  "how far from the robot hidden people matter, to each side");
   section.number("resolution_m", resolution_m, {0.01, 0.5}, "m", "side of a cell");
@@ -251,18 +249,17 @@ void HiddenPeople::forgetOutsideView() {
   }
 }
 
-/** Nobody else is where the bodies are of people who are seen, nor partly. */
+/** No part of anybody else is where the bodies are of people who are seen. */
 void HiddenPeople::clearBodies(const std::vector<TPoint2D>& bodies) {
-  const double step_m = 0.5 * parameters_.resolution_m;
-  for (const TPoint2D& hit : bodies) {
-    const TPoint2D ray = hit - TPoint2D(mapFromRobot_.x, mapFromRobot_.y);
-    const double range_m = ray.norm();
-    if (range_m < step_m) continue;
-    for (double depth_m = 0.0; depth_m <= parameters_.bodyDepth_m; depth_m += step_m) {
-      const TPoint2D p = hit + ray * (depth_m / range_m);
-      const int x = seen_.cellX(p.x), y = seen_.cellY(p.y);
-      if (seen_.bounds().contains(x, y)) seen_.at(x, y) = kYes;
-    }
+  const double radius_m = parameters_.radius_m;
+  for (const TPoint2D& nearest : bodies) {
+    const TPoint2D ray = nearest - TPoint2D(mapFromRobot_.x, mapFromRobot_.y);
+    const TPoint2D centre = nearest + ray * (radius_m / std::max(ray.norm(), 1e-6));
+    const CellWindow window = cellsAround(centre, radius_m);
+    for (int y = window.y0; y < window.y1; ++y)
+      for (int x = window.x0; x < window.x1; ++x)
+        if (std::hypot(seen_.idx2x(x) - centre.x, seen_.idx2y(y) - centre.y) <= radius_m)
+          seen_.at(x, y) = kYes;
   }
 }
 
@@ -277,11 +274,15 @@ void HiddenPeople::keepWhereSomebodyFits() {
   possibleBits_.copyTo(possible_, kYes, kNo);
 }
 
-/** The square around the robot's body, as far as the grid reaches. */
-CellWindow HiddenPeople::cellsOfRobot() const {
-  const int reach = 1 + static_cast<int>(bodyRadius_m_ / parameters_.resolution_m);
-  const int x = possible_.cellX(mapFromRobot_.x), y = possible_.cellY(mapFromRobot_.y);
+/** The square around a disc, as far as the grid reaches. */
+CellWindow HiddenPeople::cellsAround(const TPoint2D& centre, double radius_m) const {
+  const int reach = 1 + static_cast<int>(radius_m / parameters_.resolution_m);
+  const int x = possible_.cellX(centre.x), y = possible_.cellY(centre.y);
   return CellWindow{x, y, x + 1, y + 1}.grown(reach).intersected(possible_.bounds());
+}
+
+CellWindow HiddenPeople::cellsOfRobot() const {
+  return cellsAround({mapFromRobot_.x, mapFromRobot_.y}, bodyRadius_m_);
 }
 
 void HiddenPeople::clearRobot() {

@@ -28,7 +28,7 @@ void SeenPeople::update(const Views& views, double stamp_s, const mrpt::math::TP
   for (const Thing& thing : seen_.things()) {
     verdicts_.push_back(thing.another ? verdicts_[*thing.another]
                                       : verdictOf(thing, stamp_s, place, personSpeed_mps));
-    note(thing, verdicts_.back());
+    note(thing, verdicts_.back(), {mapFromRobot.x, mapFromRobot.y});
   }
   for (std::size_t i = 0; i < obstacles_.size(); ++i) {
     const TPoint2D& before = obstacles_[i == 0 ? 0 : i - 1];
@@ -56,18 +56,20 @@ SeenPeople::Verdict SeenPeople::verdictOf(const Thing& thing, double stamp_s, co
   return stands ? Verdict::Stands : Verdict::Walks;
 }
 
-void SeenPeople::note(const Thing& thing, Verdict verdict) {
+void SeenPeople::note(const Thing& thing, Verdict verdict, const TPoint2D& robot) {
   const auto kind =
       verdict == Verdict::Stands ? FrontierPoint::Kind::Standing : FrontierPoint::Kind::Seen;
-  const bool isWhole = !thing.isCovered && !isNarrow(thing);
+  std::size_t nearest = thing.first;
   for (std::size_t i = thing.first; i < thing.first + thing.count; ++i) {
     const TPoint2D& p = seen_.points()[i];
     if (verdict != Verdict::Obstacle)
       frontier_.push_back({static_cast<float>(p.x), static_cast<float>(p.y), kind});
     else if (!thing.another)
       obstacles_.push_back(p);
-    if (verdict != Verdict::Obstacle && isWhole) bodies_.push_back(p);
+    if ((p - robot).sqrNorm() < (seen_.points()[nearest] - robot).sqrNorm()) nearest = i;
   }
+  const bool isWhole = !thing.isCovered && !isNarrow(thing);
+  if (verdict != Verdict::Obstacle && isWhole) bodies_.push_back(seen_.points()[nearest]);
 }
 
 /** Whether it is near where somebody unseen can have got to by now, or to whom was seen before. */

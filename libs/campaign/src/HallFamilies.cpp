@@ -1,4 +1,5 @@
 // Shelves, boxes, pillars and crowds.
+#include <algorithm>
 #include <cmath>
 
 #include "EncounterBuilder.h"
@@ -97,17 +98,27 @@ void buildPillars(EncounterBuilder& builder) {
   builder.encounter().goals = {{7.5, 0.0, 0.0}};
 }
 
+/** Where people stand, before and after, they stand beside each other and not in each other. */
 void buildCrowd(EncounterBuilder& builder) {
   Dice& dice = builder.dice();
+  constexpr double kApart_m = 0.6;
   const double half = dice.between(2.5, 3.5);
+  const double reach = half - 0.4;
   hall(builder, half, 9.5);
-  for (int i = dice.whole(3, 5); i > 0; --i) {
+  std::vector<TPoint2D> taken;
+  const auto isTaken = [&taken](const TPoint2D& place) {
+    return std::any_of(taken.begin(), taken.end(),
+                       [&place](const TPoint2D& p) { return (p - place).norm() < kApart_m; });
+  };
+  for (int i = dice.whole(3, 5); i > 0;) {
     const double side = dice.side(), meetAt = dice.between(1.5, 6.5);
     const double slant = dice.between(-1.0, 1.0);
-    const double reach = half - 0.4;
-    builder.person({{meetAt - slant * reach * 0.5, side * reach},
-                    {meetAt + slant * reach * 0.5, -side * reach}},
-                   {meetAt, reach * std::hypot(1.0, 0.5 * slant)});
+    const TPoint2D from(meetAt - slant * reach * 0.5, side * reach);
+    const TPoint2D to(meetAt + slant * reach * 0.5, -side * reach);
+    if (isTaken(from) || isTaken(to)) continue;
+    builder.person({from, to}, {meetAt, reach * std::hypot(1.0, 0.5 * slant)});
+    taken.insert(taken.end(), {from, to});
+    --i;
   }
   builder.encounter().goals = {{7.5, 0.0, 0.0}};
 }

@@ -101,7 +101,8 @@ bool DepthFrame::convert(const CObservation3DRangeScan& image) {
   constexpr int kLargest = std::numeric_limits<std::uint16_t>::max();
   const double unit_m = static_cast<double>(image.rangeUnits);
   maxRange_m_ = image.maxRange > 0.0f ? static_cast<double>(image.maxRange) : kLargest * unit_m;
-  const int most = static_cast<int>(std::min<double>(kLargest, maxRange_m_ / unit_m + 1e-6));
+  // Units are floats: 6 m in millimetres would be 5999.9997 of them.
+  const int most = static_cast<int>(std::min<double>(kLargest, maxRange_m_ / unit_m + 0.01));
   unsigned bits = 0;
   for (int v = 0; v < rows_; ++v) {
     float* row = depth_m_.data() + static_cast<std::size_t>(v) * static_cast<std::size_t>(columns_);

@@ -24,7 +24,6 @@ struct HiddenPeopleParameters {
   double radius_m = 0.25;       ///< r_p: of the smallest disc that a person covers
   double gap_m = 0.4;           ///< nobody comes out between two hits that are nearer to each other
   double mapTolerance_m = 0.1;  ///< a hit this near to an occupied cell of the map is the map's
-  double bodyDepth_m = 0.3;     ///< nobody is nearer behind what is seen of somebody
   double reach_m = 4.0;         ///< farther from the robot nobody matters
   double resolution_m = 0.05;
   double lookMemory_s = 0.5;  ///< a direction counts as looked at for so long
@@ -62,7 +61,8 @@ class HiddenPeople {
             const mrpt::math::TPose2D& mapFromRobot, double personSpeed_mps);
 
   /** Keeps who fits where they may be, and finds the edge of that.
-   *  @param bodies the hits on people who are seen whole, map frame: behind each is the body */
+   *  @param bodies the nearest point of each who is seen whole, map frame: a person's disc begins
+   *  there, and nobody else is in it */
   void findFrontier(const std::vector<mrpt::math::TPoint2D>& bodies);
 
   /** The outermost possible cells towards the robot, map frame. */
@@ -88,6 +88,7 @@ class HiddenPeople {
   void grow(double distance_m);
   void forgetOutsideView();
   void clearBodies(const std::vector<mrpt::math::TPoint2D>& bodies);
+  CellWindow cellsAround(const mrpt::math::TPoint2D& centre, double radius_m) const;
   void keepWhereSomebodyFits();
   CellWindow cellsOfRobot() const;
   void clearRobot();

@@ -46,7 +46,7 @@ class SeenPeople {
 
   /** The points seen of all who may walk, map frame. */
   const Frontier& frontier() const { return frontier_; }
-  /** The hits on those who are seen whole, map frame. */
+  /** The nearest point of each who is seen whole, map frame. */
   const std::vector<mrpt::math::TPoint2D>& bodies() const { return bodies_; }
   /** Those who walk, as fast as they are seen to, and those who have just stopped, as fast as they
    * walked: they may walk on. */
@@ -65,7 +65,7 @@ class SeenPeople {
   Verdict verdictOf(const Thing& thing, double stamp_s, const Place& place, double personSpeed_mps);
   bool mayHaveCome(const Thing& thing, double stamp_s, const Place& place,
                    double personSpeed_mps) const;
-  void note(const Thing& thing, Verdict verdict);
+  void note(const Thing& thing, Verdict verdict, const mrpt::math::TPoint2D& robot);
   void findMovers(double stamp_s);
   Track* trackOf(const Thing& thing, double stamp_s, double personSpeed_mps);
   Track& newTrack(const Thing& thing, double stamp_s);
