@@ -1,9 +1,11 @@
 #include "HardwareDrive.h"
 
+#include <bslnav/evaluation/RunMemory.h>
 #include <bslnav/evaluation/RunRawlog.h>
 #include <bslnav/evaluation/RunRecorder.h>
 #include <bslnav/evaluation/SimulationPictures.h>
 #include <bslnav/planning/RobotLimits.h>
+#include <unistd.h>
 
 #include <cstdio>
 #include <iostream>
@@ -20,9 +22,15 @@ class Records {
  public:
   Records(const SimulationSetup& setup,
           const std::shared_ptr<const mrpt::maps::COccupancyGridMap2D>& map,
-          const NavigationCycle& cycle, RunRecorder& recorder)
-      : cycle_(cycle), recorder_(recorder), pictures_(setup, map) {
+          const NavigationCycle& cycle, const Sensors& sensors, RunRecorder& recorder)
+      : setup_(setup),
+        cycle_(cycle),
+        sensors_(sensors),
+        recorder_(recorder),
+        pictures_(setup, map) {
     if (setup.recording.rawlog) rawlog_.emplace(recorder.path("run.rawlog"));
+    if (setup.recording.memory_s > 0.0)
+      memory_.emplace(recorder.directory(), setup.recording.memory_s);
   }
 
   void add(const DriveMoment& moment) {
@@ -36,6 +44,9 @@ class Records {
     known_.twist = record.twist;
     metrics_.add(record, {known_.pose.x, known_.pose.y}, speedOf(known_.twist), passed_s);
     pictures_.observe({record, known_, cycle_, moment.frame});
+    if (memory_)
+      memory_->observe(record.time_s, {known_.pose.x, known_.pose.y},
+                       [this] { return programs(); });
   }
 
   /** Returns the pictures. */
@@ -43,14 +54,26 @@ class Records {
     summary.duration_s = known_.time_s;
     metrics_.finish(summary);
     recorder_.finish(summary);
-    return pictures_.save(summary, recorder_.directory());
+    auto pictures = pictures_.save(summary, recorder_.directory());
+    if (memory_) pictures.push_back(memory_->save(setup_.scenario.name + ": memory"));
+    return pictures;
   }
 
  private:
+  std::vector<RunMemory::Program> programs() const {
+    std::vector<RunMemory::Program> programs{{"bslnav", ::getpid()}};
+    for (const auto& report : sensors_.reports())
+      programs.push_back({report.driver + " " + report.name, report.process});
+    return programs;
+  }
+
+  const SimulationSetup& setup_;
   const NavigationCycle& cycle_;
+  const Sensors& sensors_;
   RunRecorder& recorder_;
   SimulationPictures pictures_;
   std::optional<RunRawlog> rawlog_;
+  std::optional<RunMemory> memory_;
   Metrics metrics_;
   SimulationState known_;  // nobody knows the truth here
 };
@@ -94,13 +117,13 @@ RunSummary driveHardware(const SimulationSetup& setup, const HardwareSetup& hard
   RunRecorder recorder(options.out, config);
   const auto localization = setup.makeLocalization(map, options.seed);
   NavigationCycle cycle(setup.navigation, map);
-  cycle.setGoals(setup.scenario.goals);
+  cycle.setGoals(setup.scenario.allGoals());
   for (const auto& [name, section] : hardware.drivers)
     cycle.expectSensor(kindOf(section), labelOf(name, section));
-  Records records(setup, map, cycle, recorder);
   listenForInterrupts();
   const auto base = hardware.makeBase(setup.robot.type);
   Sensors sensors(hardware.drivers, hardware.sensors, sensorProgram(), recorder.directory());
+  Records records(setup, map, cycle, sensors, recorder);
   DriveParameters drive = hardware.drive;
   drive.timeLimit_s = setup.scenario.timeLimit_s;
   RobotDrive robot(cycle, *base, sensors, localization.get(), drive,

@@ -113,6 +113,7 @@ void SensorProcess::supervise() {
     }
     const std::lock_guard<std::mutex> lock(mutex_);
     status_.trouble = trouble;
+    status_.process = -1;
   } while (!waitOrEnd(options_.again_s));
 }
 
@@ -157,6 +158,7 @@ std::string SensorProcess::listen(const Child& child) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     ++status_.starts;
+    status_.process = child.process;
   }
   SensorMessageReader reader;
   std::string trouble;

@@ -67,6 +67,7 @@ void Sensors::collect(SensorFrame& frame) {
 void Sensors::take(Sensor& sensor, SensorFrame& frame) {
   const auto status = sensor.process->status();
   if (!status.trouble.empty()) sensor.report.trouble = status.trouble;
+  sensor.report.process = status.process;
   CObservation2DRangeScan::ConstPtr scan;
   CObservation3DRangeScan::ConstPtr depth;
   for (const auto& observation : sensor.process->take()) {

@@ -25,6 +25,7 @@ class SensorProcess {
   };
   struct Status {
     int starts = 0, observations = 0;
+    int process = -1;     ///< the driver's; -1: it does not run now
     std::string trouble;  ///< the last there was, in words; empty since it delivers
   };
 

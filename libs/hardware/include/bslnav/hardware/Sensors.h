@@ -28,6 +28,7 @@ class Sensors {
     std::string name, driver;
     SensorKind kind = SensorKind::Laser;
     int frames = 0, refused = 0;
+    int process = -1;  ///< the driver's; -1: it does not run now
     double rate_hz = 0.0, latency_s = 0.0,
            worstLatency_s = 0.0;          ///< from its stamp until collected
     std::string trouble;                  ///< the newest, in words; empty: none
