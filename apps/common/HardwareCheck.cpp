@@ -18,6 +18,7 @@ namespace {
 
 constexpr double kLeast_s = 3.0, kMost_s = 12.0;  // that are looked at the devices
 constexpr int kEnoughFrames = 10;
+constexpr int kEnoughStarts = 3;  // of a driver that delivers nothing, to give it up
 
 /** What is known of a base without moving it. */
 struct BaseCheck {
@@ -131,8 +132,9 @@ int checkHardware(const SimulationSetup& setup, const HardwareSetup& hardware,
     frame.mapFromRobot = localization.update(frame);
     record = &cycle.step(frame);
     const auto reports = sensors.reports();
-    const bool enough = std::all_of(reports.begin(), reports.end(),
-                                    [](const auto& r) { return r.frames >= kEnoughFrames; });
+    const bool enough = std::all_of(reports.begin(), reports.end(), [](const auto& r) {
+      return r.frames >= kEnoughFrames || (r.frames == 0 && r.starts >= kEnoughStarts);
+    });
     if (enough && clock.time_s() > kLeast_s) break;
   }
   const bool all = printTable(sensors.reports(), baseCheck, nameOf(setup.robot.type));

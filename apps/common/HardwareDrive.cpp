@@ -1,59 +1,14 @@
 #include "HardwareDrive.h"
 
-#include <bslnav/evaluation/RunRawlog.h>
-#include <bslnav/evaluation/RunRecorder.h>
-#include <bslnav/evaluation/SimulationPictures.h>
-#include <bslnav/planning/RobotLimits.h>
-
 #include <cstdio>
 #include <iostream>
-#include <optional>
 
 #include "CommandLine.h"
+#include "HardwareRecords.h"
 #include "SummaryTable.h"
 
 namespace bslnav {
 namespace {
-
-/** Records and draws a drive, as far as the robot itself knows it. */
-class Records {
- public:
-  Records(const SimulationSetup& setup,
-          const std::shared_ptr<const mrpt::maps::COccupancyGridMap2D>& map,
-          const NavigationCycle& cycle, RunRecorder& recorder)
-      : cycle_(cycle), recorder_(recorder), pictures_(setup, map) {
-    if (setup.recording.rawlog) rawlog_.emplace(recorder.path("run.rawlog"));
-  }
-
-  void add(const DriveMoment& moment) {
-    const CycleRecord& record = moment.record;
-    if (rawlog_) rawlog_->write(moment.frame);
-    recorder_.write(record, record.mapFromRobot);
-    if (record.health == CycleRecord::Health::BadPose) return;  // nothing to add up or to draw
-    const double passed_s = record.time_s - known_.time_s;
-    known_.time_s = record.time_s;
-    known_.pose = record.mapFromRobot;
-    known_.twist = record.twist;
-    metrics_.add(record, {known_.pose.x, known_.pose.y}, speedOf(known_.twist), passed_s);
-    pictures_.observe({record, known_, cycle_, moment.frame});
-  }
-
-  /** Returns the pictures. */
-  std::vector<std::string> finish(RunSummary& summary) {
-    summary.duration_s = known_.time_s;
-    metrics_.finish(summary);
-    recorder_.finish(summary);
-    return pictures_.save(summary, recorder_.directory());
-  }
-
- private:
-  const NavigationCycle& cycle_;
-  RunRecorder& recorder_;
-  SimulationPictures pictures_;
-  std::optional<RunRawlog> rawlog_;
-  Metrics metrics_;
-  SimulationState known_;  // nobody knows the truth here
-};
 
 /** A line about cycles that began too late; empty when all were on time. */
 std::string latenessOf(const PaceKeeper& pace) {
@@ -94,13 +49,13 @@ RunSummary driveHardware(const SimulationSetup& setup, const HardwareSetup& hard
   RunRecorder recorder(options.out, config);
   const auto localization = setup.makeLocalization(map, options.seed);
   NavigationCycle cycle(setup.navigation, map);
-  cycle.setGoals(setup.scenario.goals);
+  cycle.setGoals(setup.scenario.allGoals());
   for (const auto& [name, section] : hardware.drivers)
     cycle.expectSensor(kindOf(section), labelOf(name, section));
-  Records records(setup, map, cycle, recorder);
   listenForInterrupts();
   const auto base = hardware.makeBase(setup.robot.type);
   Sensors sensors(hardware.drivers, hardware.sensors, sensorProgram(), recorder.directory());
+  HardwareRecords records(setup, map, cycle, sensors, recorder);
   DriveParameters drive = hardware.drive;
   drive.timeLimit_s = setup.scenario.timeLimit_s;
   RobotDrive robot(cycle, *base, sensors, localization.get(), drive,
@@ -129,11 +84,15 @@ RunSummary driveHardware(const SimulationSetup& setup, const HardwareSetup& hard
   if (!options.quiet) {
     printSummary(std::cout, setup.scenario.name, summary, recorder.directory(), pictures);
     std::cout << lateness;
-    for (const auto& report : sensors.reports())
+    for (const auto& report : sensors.reports()) {
+      if (report.starts > 1)
+        std::cout << "  " << report.name << ": its driver was started " << report.starts
+                  << " times\n";
       if (report.refused > 0)
         std::cout << "  " << report.name << ": " << report.refused << " of "
                   << report.refused + report.frames << " measurements were refused, the last since "
                   << report.lastRefusal << '\n';
+    }
   }
   return summary;
 }

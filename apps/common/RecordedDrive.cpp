@@ -1,5 +1,6 @@
 #include "RecordedDrive.h"
 
+#include <bslnav/evaluation/RunMemory.h>
 #include <bslnav/evaluation/RunRawlog.h>
 #include <bslnav/evaluation/RunRecorder.h>
 #include <bslnav/evaluation/RunScene.h>
@@ -7,6 +8,7 @@
 #include <bslnav/evaluation/SimulationPictures.h>
 #include <bslnav/evaluation/SimulationRun.h>
 #include <bslnav/simulation/MvsimWorld.h>
+#include <unistd.h>
 
 #include <iostream>
 #include <optional>
@@ -48,6 +50,9 @@ RunSummary driveRecorded(const SimulationSetup& setup, const Config& config,
     writeFile(recorder.path("world.mvsim.xml"), mvsimWorld(setup.simulationCase(options.seed)));
   std::optional<RunRawlog> rawlog;
   if (setup.recording.rawlog) rawlog.emplace(recorder.path("run.rawlog"));
+  std::optional<RunMemory> memory;
+  if (setup.recording.memory_s > 0.0)
+    memory.emplace(recorder.directory(), setup.recording.memory_s);
   RunScene scene(setup, map);
   SimulationPictures pictures(setup, map);
   listenForInterrupts();
@@ -56,6 +61,10 @@ RunSummary driveRecorded(const SimulationSetup& setup, const Config& config,
     if (rawlog) rawlog->write(moment.frame);
     if (setup.recording.scene || setup.recording.scenePicture) scene.observe(moment);
     pictures.observe(moment);
+    if (memory)
+      memory->observe(moment.record.time_s, {moment.truth.pose.x, moment.truth.pose.y}, [] {
+        return std::vector<RunMemory::Program>{{"bslnav", ::getpid()}};
+      });
     if (moment.record.index % 10 == 0) showProgress(progressLine(moment.record), options.quiet);
     return !interrupted();
   };
@@ -63,6 +72,7 @@ RunSummary driveRecorded(const SimulationSetup& setup, const Config& config,
   showProgress("", options.quiet);
   recorder.finish(summary);
   auto paths = pictures.save(summary, recorder.directory());
+  if (memory) paths.push_back(memory->save(setup.scenario.name + ": memory"));
   saveScene(scene, setup.recording, recorder, paths);
   if (!options.quiet)
     printSummary(std::cout, setup.scenario.name, summary, recorder.directory(), paths);

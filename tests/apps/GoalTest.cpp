@@ -30,6 +30,20 @@ TEST_F(Goal, InsideAnObstacleIsMovedToTheNearestFreePlace) {
   EXPECT_LT(std::hypot(last(2) - 2.0, last(3)), 0.6);  // 0.5 m, and the motion's own 0.1 m
 }
 
+/** There and back twice: with a waypoint counted as passed 0.5 m before it, and the last 0.1 m not
+ * driven, at least 1.5 + 1 + 1 + 1.4 m. */
+TEST_F(Goal, RoundsAreDrivenOneAfterTheOther) {
+  const AppResult result =
+      drive(write("patrol.ini", kRoom), {"--set", "scenario.goals=2 0 0, 0 0 0", "--set",
+                                         "scenario.rounds=2", "--set", "recording.memory_s=1"});
+  EXPECT_EQ(result.exitCode, 0) << result.out;
+  EXPECT_EQ(summary()["outcome"], "goal");
+  EXPECT_GT(summary()["path_length_m"], 4.9);
+  EXPECT_LT(std::hypot(last(2), last(3)), 0.2);
+  EXPECT_GE(rowsOf(out("memory.csv")), summary()["duration_s"].get<std::size_t>());
+  EXPECT_TRUE(exists(out("memory.png")));
+}
+
 TEST_F(Goal, BehindWallsEndsStuckWithAPicture) {
   // A closed cell of 2 m x 2 m around the goal: nothing outside it is within 0.5 m of the goal.
   const std::string cell = "[wall:cell]\npoints_m = 2 -1, 4 -1, 4 1, 2 1, 2 -1\n";

@@ -19,6 +19,7 @@ class ChildProcess {
     if (id_ != 0) return;
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // does not outlive a test that fails
     ::setpgid(0, 0);
+    std::signal(SIGINT, SIG_DFL);  // else ignored where the tests run in the background
     try {
       action();
     } catch (...) {

@@ -1,7 +1,9 @@
 #include <ScipEmulator.h>
 #include <bslnav/hardware/RobotDrive.h>
 #include <gmock/gmock.h>
+#include <mrpt/core/Clock.h>
 
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -140,6 +142,61 @@ TEST_F(RobotDriveTest, APoseThatIsNoNumberStopsTheRobotUntilItIsOneAgain) {
     return stage < 3;
   });
   EXPECT_EQ(stage, 3);
+}
+
+/** A base on a machine whose clock jumps. */
+class Jumping : public RecordingBase {
+ public:
+  BaseState state() override {
+    BaseState state = RecordingBase::state();
+    state.stamp_s += jump_s;
+    return state;
+  }
+  DriveClock clock() const {
+    const auto steady = [] {
+      return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
+          .count();
+    };
+    return {steady, [this] { return mrpt::Clock::nowDouble() + jump_s; }};
+  }
+  double jump_s = 0.0;
+};
+
+/** An hour ahead, as when the time is set by radio: scans still have the old time, so the robot
+ * stands; then back again, and it drives on. The drive's own time notices nothing. */
+TEST_F(RobotDriveTest, AClockThatJumpsStopsTheRobotUntilItsSensorsFollow) {
+  Jumping jumping;
+  NavigationCycle cycle(parameters, nullptr);
+  cycle.setGoals({{2.2, 0.0, 0.0}});
+  cycle.expectSensor(SensorKind::Laser, "front");
+  Sensors sensors(drivers(), {}, BSLNAV_SENSOR_PROGRAM, "");
+  OdometryLocalization localization({});
+  RobotDrive robot(cycle, jumping, sensors, &localization, drive, 0.1, jumping.clock());
+  int stage = 0, jumps = 0;
+  double time_s = 0.0, longest_s = 0.0;
+  robot.run([&](const DriveMoment& moment) {
+    shine();
+    longest_s = std::max(longest_s, moment.record.time_s - time_s);
+    time_s = moment.record.time_s;
+    EXPECT_EQ(moment.frame.afterGap, moment.problem == "the clock jumped");
+    jumps += moment.frame.afterGap;
+    const double speed = jumping.command().vx;
+    if (stage == 0 && speed > 0.3) {
+      jumping.jump_s = 3600.0;
+      stage = 1;
+    } else if (stage == 1 && speed == 0.0) {
+      EXPECT_EQ(moment.record.health, CycleRecord::Health::StaleSensor);
+      EXPECT_THAT(sensors.reports().at(0).lastRefusal, HasSubstr("before the last one"));
+      jumping.jump_s = 0.0;
+      stage = 2;
+    } else if (stage == 2 && speed > 0.2) {
+      stage = 3;
+    }
+    return stage < 3;
+  });
+  EXPECT_EQ(stage, 3);
+  EXPECT_EQ(jumps, 2);
+  EXPECT_LT(longest_s, 1.0);
 }
 
 /** What records, may fail: the disk is full. */

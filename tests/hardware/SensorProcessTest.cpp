@@ -2,6 +2,7 @@
 #include <bslnav/hardware/Sensors.h>
 #include <gmock/gmock.h>
 #include <mrpt/core/Clock.h>
+#include <sys/wait.h>
 
 #include <chrono>
 #include <csignal>
@@ -81,6 +82,17 @@ TEST(SensorProcess, AProgramThatIsNotThereIsTrouble) {
   EXPECT_THAT(process.status().trouble, HasSubstr("/no/such/bslnav-sensor"));
 }
 
+TEST(SensorProcess, AProgramThatWritesNonsenseIsEndedAndStartedAgain) {
+  auto other = options();
+  other.program = "/bin/echo";
+  {
+    SensorProcess process("front", {}, other);
+    EXPECT_TRUE(waitUntil(5.0, [&] { return process.status().starts > 1; }));
+    EXPECT_THAT(process.status().trouble, HasSubstr("makes no sense"));
+  }
+  EXPECT_EQ(::waitpid(-1, nullptr, WNOHANG), -1);  // none is left
+}
+
 /** The driver itself never finds out that a laser was silent from the start. */
 TEST(SensorProcess, ASilentDriverIsStartedAgain) {
   Laser laser;
@@ -131,6 +143,32 @@ TEST(Sensors, RefuseAFrozenLaser) {
   }));
   EXPECT_TRUE(frame.scans.empty());
   EXPECT_THAT(sensors.reports().at(0).trouble, HasSubstr("repeated one scan"));
+}
+
+/** Nothing is lost by it, and some drivers are cured. */
+TEST(Sensors, StartADriverAgainOfWhichAllIsRefused) {
+  Laser laser;
+  SensorsParameters parameters;
+  parameters.silence_s = 3.0;  // it takes the driver 2 s to start
+  Sensors sensors({{"front", hokuyoAt(laser.path())}}, parameters, BSLNAV_SENSOR_PROGRAM, "");
+  SensorFrame frame;
+  const double start_s = mrpt::Clock::nowDouble();
+  const auto collect = [&] {
+    frame.startTime_s = start_s;
+    frame.time_s = mrpt::Clock::nowDouble() - start_s;
+    sensors.collect(frame);
+    return sensors.reports().at(0);
+  };
+  ASSERT_TRUE(waitUntil(10.0, [&] { return collect().refused > 0; }));  // it repeats one scan
+  EXPECT_EQ(collect().starts, 1);
+  ASSERT_TRUE(waitUntil(10.0, [&] { return collect().starts > 1; }));
+  const int frames = collect().frames;
+  float range_m = 2.0f;
+  EXPECT_TRUE(waitUntil(10.0, [&] {
+    const auto beams = static_cast<std::size_t>(laser.model().beams());
+    laser.setRanges(std::vector<float>(beams, range_m += 0.001f));
+    return collect().frames > frames + 3;
+  }));
 }
 
 }  // namespace

@@ -8,7 +8,12 @@ namespace {
 
 constexpr double kStopped_mps = 0.01;
 
-Percentiles percentilesOf(const std::vector<StageTimes>& times, double StageTimes::*stage) {
+constexpr double StageTimes::*kStages[] = {&StageTimes::blindSpots_s, &StageTimes::costmap_s,
+                                           &StageTimes::people_s,     &StageTimes::globalPlan_s,
+                                           &StageTimes::motion_s,     &StageTimes::total_s};
+
+Percentiles percentilesOf(const std::vector<StageTimes>& times, const StageTimes& longest,
+                          double StageTimes::*stage) {
   if (times.empty()) return {};
   std::vector<double> values;
   values.reserve(times.size());
@@ -18,7 +23,7 @@ Percentiles percentilesOf(const std::vector<StageTimes>& times, double StageTime
     return values[static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size()))) -
                   1];
   };
-  return {at(0.5), at(0.99), values.back()};
+  return {at(0.5), at(0.99), 1e3 * (longest.*stage)};
 }
 
 }  // namespace
@@ -57,7 +62,9 @@ void Metrics::add(const CycleRecord& record, const mrpt::math::TPoint2D& positio
   if (started && sensorProblem_.empty()) sensorProblem_ = record.sensorProblem;
   goalMoved_ = record.goalMoved;
   blindSpots_ += static_cast<double>(record.blindSpots.size());
-  times_.push_back(record.times);
+  for (const auto stage : kStages) longest_.*stage = std::max(longest_.*stage, record.times.*stage);
+  if (thinning_.keepsNext()) times_.push_back(record.times);
+  if (thinning_.isFull(times_.size())) Thinning::halve(times_);
 }
 
 void Metrics::finish(RunSummary& summary) const {
@@ -73,12 +80,12 @@ void Metrics::finish(RunSummary& summary) const {
   summary.timeStopped_s = stopped_s_;
   summary.lapse_s = lapse_s_;
   summary.blindSpotsMean = cycles_ > 0 ? blindSpots_ / cycles_ : 0.0;
-  summary.cycle_ms = percentilesOf(times_, &StageTimes::total_s);
-  summary.blindSpots_ms = percentilesOf(times_, &StageTimes::blindSpots_s);
-  summary.costmap_ms = percentilesOf(times_, &StageTimes::costmap_s);
-  summary.people_ms = percentilesOf(times_, &StageTimes::people_s);
-  summary.globalPlan_ms = percentilesOf(times_, &StageTimes::globalPlan_s);
-  summary.motion_ms = percentilesOf(times_, &StageTimes::motion_s);
+  summary.cycle_ms = percentilesOf(times_, longest_, &StageTimes::total_s);
+  summary.blindSpots_ms = percentilesOf(times_, longest_, &StageTimes::blindSpots_s);
+  summary.costmap_ms = percentilesOf(times_, longest_, &StageTimes::costmap_s);
+  summary.people_ms = percentilesOf(times_, longest_, &StageTimes::people_s);
+  summary.globalPlan_ms = percentilesOf(times_, longest_, &StageTimes::globalPlan_s);
+  summary.motion_ms = percentilesOf(times_, longest_, &StageTimes::motion_s);
 }
 
 }  // namespace bslnav

@@ -68,7 +68,7 @@ RunSummary runSimulation(const SimulationSetup& setup, std::uint64_t seed,
   SimulationEngine& simulator = *engine;
   const auto localization = setup.makeLocalization(map, seed);
   NavigationCycle cycle(setup.navigation, map);
-  cycle.setGoals(setup.scenario.goals);
+  cycle.setGoals(setup.scenario.allGoals());
   for (const auto& laser : simulated.lasers) cycle.expectSensor(SensorKind::Laser, laser.first);
   for (const auto& camera : simulated.cameras) cycle.expectSensor(SensorKind::Camera, camera.first);
 

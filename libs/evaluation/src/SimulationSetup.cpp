@@ -37,6 +37,8 @@ void ScenarioParameters::describe(ConfigSection& section) {
   section.text("name", name, "name in pictures and tables");
   section.pose("start", start, "where the robot starts");
   section.poses("goals", goals, "the goal, after any waypoints");
+  section.integer("rounds", rounds, {1, 100000}, "",
+                  "how often the goals are gone through: more than once to patrol");
   section.number("time_limit_s", timeLimit_s, kPositive, "s",
                  "the run ends as a timeout after this");
   section.text("map", map, "'world' (a survey of the simulated world), 'none', or a map file");
@@ -44,6 +46,12 @@ void ScenarioParameters::describe(ConfigSection& section) {
                  "over seeds, trigger lines are shifted along x by up to this");
   section.number("speed_variation", speedVariation, {0.0, 0.9}, "",
                  "over seeds, people's speeds are scaled by up to this much more or less");
+}
+
+std::vector<mrpt::math::TPose2D> ScenarioParameters::allGoals() const {
+  std::vector<mrpt::math::TPose2D> all;
+  for (int i = 0; i < rounds; ++i) all.insert(all.end(), goals.begin(), goals.end());
+  return all;
 }
 
 void PictureParameters::describe(ConfigSection& section) {
@@ -73,6 +81,9 @@ void RecordingParameters::describe(ConfigSection& section) {
                "whether to draw that instant as scene.png; needs OpenGL (EGL), but no display");
   section.integer("picture_width_px", pictureWidth_px, {64, 8192}, "px", "width of scene.png");
   section.integer("picture_height_px", pictureHeight_px, {64, 8192}, "px", "height of scene.png");
+  section.number("memory_s", memory_s, kNonNegative, "s",
+                 "so often is written to memory.csv, and drawn as memory.png, how much memory the "
+                 "programs hold; 0: never");
 }
 
 void SimulationSetup::bind(Config& config) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "CreateSafety.h"
 #include "DeviceLine.h"
 
 namespace bslnav {
@@ -29,7 +30,8 @@ double seconds(std::chrono::steady_clock::time_point time) {
 CreateBase::CreateBase(const CreateParameters& parameters)
     : parameters_(parameters),
       keeper_(device(parameters.port), create::fullStop()),
-      odometry_(parameters) {
+      odometry_(parameters),
+      safety_(std::make_unique<CreateSafety>()) {
   open();
   waitForFrame();
   reader_ = std::thread(&CreateBase::run, this);
@@ -122,7 +124,7 @@ void CreateBase::receive() {
 }
 
 void CreateBase::take(const CreateSensors& sensors) {
-  sensors_ = sensors;
+  safety_->sensed(sensors);
   odometry_.add(sensors.leftCounts, sensors.rightCounts, seconds(Clock::now()));
   const std::lock_guard<std::mutex> lock(mutex_);
   state_.stamp_s = mrpt::Clock::nowDouble();
@@ -131,16 +133,10 @@ void CreateBase::take(const CreateSensors& sensors) {
   state_.halt = sensors.halt();
 }
 
-/** A wheel drop, or a cliff, makes the robot passive: it would never drive again. */
 void CreateBase::askForSafeMode() {
-  if (sensors_.wheelDrop || sensors_.cliff) {
-    leftSafeMode_ = true;  // whatever mode it tells: firmware that counts from 1 calls passive 2
-    return;
-  }
-  if (sensors_.takesCommands() && !leftSafeMode_) return;
-  if (Clock::now() - askedForSafeModeAt_ < kSafeModeInterval) return;
+  if (!safety_->needsSafeMode() || Clock::now() - askedForSafeModeAt_ < kSafeModeInterval) return;
   write(create::safe());
-  leftSafeMode_ = false;
+  safety_->askedForSafeMode();
   askedForSafeModeAt_ = Clock::now();
 }
 
@@ -148,9 +144,7 @@ CreateWheels CreateBase::permittedWheels() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   const std::chrono::duration<double> age = Clock::now() - wantedAt_;
   if (age.count() > parameters_.commandTimeout_s) return {};
-  if (sensors_.wheelDrop || !sensors_.takesCommands()) return {};
-  if ((sensors_.cliff || sensors_.bump()) && wanted_.vx > 0.0) return {};
-  return wheelsOf(wanted_, parameters_);
+  return safety_->permitted(wanted_, parameters_);
 }
 
 void CreateBase::sendWheels() {

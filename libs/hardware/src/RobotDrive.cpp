@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace bslnav {
 namespace {
@@ -49,13 +50,14 @@ void DriveParameters::describe(ConfigSection& section) {
 
 RobotDrive::RobotDrive(NavigationCycle& cycle, Base& base, Sensors& sensors,
                        Localization* localization, const DriveParameters& parameters,
-                       double period_s)
+                       double period_s, DriveClock clock)
     : cycle_(cycle),
       base_(base),
       sensors_(sensors),
       localization_(localization),
       parameters_(parameters),
-      period_s_(period_s) {}
+      period_s_(period_s),
+      clock_(std::move(clock)) {}
 
 DriveEnd RobotDrive::run(const Observer& observer) {
   const StopsAtTheEnd stops{base_};

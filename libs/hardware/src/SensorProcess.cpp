@@ -1,24 +1,19 @@
 #include <bslnav/hardware/SensorProcess.h>
-#include <fcntl.h>
-#include <poll.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
+#include <pthread.h>
 
-#include <array>
 #include <chrono>
 #include <csignal>
-#include <cstring>
 #include <sstream>
 #include <utility>
 
-extern char** environ;
+#include "DriverProcess.h"
 
 namespace bslnav {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
+constexpr double kRead_s = 0.05;        // so long an end may take to be noticed
 constexpr std::size_t kMostKept = 200;  // observations that nobody takes
 
 std::string iniOf(const std::string& name, const Config::FreeSection& section) {
@@ -26,34 +21,6 @@ std::string iniOf(const std::string& name, const Config::FreeSection& section) {
   text << "[" << name << "]\n";
   for (const auto& [key, value] : section) text << key << " = " << value << "\n";
   return text.str();
-}
-
-/** Both ends of a pipe that children do not inherit unless they are told to. */
-std::array<int, 2> makePipe() {
-  std::array<int, 2> ends{-1, -1};
-  if (::pipe2(ends.data(), O_CLOEXEC) != 0)
-    throw std::runtime_error(std::string("no pipe: ") + std::strerror(errno));
-  return ends;
-}
-
-/** How a process ended, in words. */
-std::string endOf(int status) {
-  if (WIFSIGNALED(status))
-    return std::string("the driver crashed: ") + ::strsignal(WTERMSIG(status));
-  return "the driver ended with code " + std::to_string(WEXITSTATUS(status));
-}
-
-/** Waits for its end, asking for it first, then forcing it. */
-int reap(int process) {
-  int status = 0;
-  ::kill(process, SIGTERM);
-  for (int k = 0; k < 50; ++k) {
-    if (::waitpid(process, &status, WNOHANG) == process) return status;
-    ::usleep(10000);
-  }
-  ::kill(process, SIGKILL);
-  ::waitpid(process, &status, 0);
-  return status;
 }
 
 }  // namespace
@@ -83,9 +50,9 @@ SensorProcess::Status SensorProcess::status() const {
   return status_;
 }
 
-bool SensorProcess::isEnding() const {
+void SensorProcess::startAgain(const std::string& why) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return ending_;
+  toEnd_ = why;
 }
 
 bool SensorProcess::waitOrEnd(double time_s) {
@@ -103,71 +70,34 @@ void SensorProcess::supervise() {
   do {
     std::string trouble;
     try {
-      const Child child = start();
-      trouble = listen(child);
-      ::close(child.messages);
-      const int status = reap(child.process);
-      if (trouble.empty()) trouble = endOf(status);
+      DriverProcess driver(options_.program, name_, ini_, options_.logFile);
+      trouble = listen(driver);
+      const std::string end = driver.end();
+      if (trouble.empty()) trouble = end;
     } catch (const std::exception& problem) {
       trouble = problem.what();
     }
     const std::lock_guard<std::mutex> lock(mutex_);
     status_.trouble = trouble;
+    status_.process = -1;
   } while (!waitOrEnd(options_.again_s));
-}
-
-SensorProcess::Child SensorProcess::start() const {
-  const auto in = makePipe(), out = makePipe();
-  posix_spawn_file_actions_t files;
-  posix_spawn_file_actions_init(&files);
-  posix_spawn_file_actions_adddup2(&files, in[0], STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(&files, out[1], STDOUT_FILENO);
-  posix_spawn_file_actions_addopen(
-      &files, STDERR_FILENO, options_.logFile.empty() ? "/dev/null" : options_.logFile.c_str(),
-      O_WRONLY | O_CREAT | O_APPEND, 0644);
-  posix_spawnattr_t attributes;
-  posix_spawnattr_init(&attributes);
-  sigset_t none;
-  sigemptyset(&none);
-  posix_spawnattr_setsigmask(&attributes, &none);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
-  std::string program = options_.program, section = name_;
-  std::array<char*, 3> arguments{program.data(), section.data(), nullptr};
-  Child child;
-  const int problem = ::posix_spawn(&child.process, program.c_str(), &files, &attributes,
-                                    arguments.data(), environ);
-  posix_spawnattr_destroy(&attributes);
-  posix_spawn_file_actions_destroy(&files);
-  ::close(in[0]);
-  ::close(out[1]);
-  // It is short and fits into the pipe.
-  const bool written =
-      problem == 0 && ::write(in[1], ini_.data(), ini_.size()) == static_cast<ssize_t>(ini_.size());
-  ::close(in[1]);
-  child.messages = out[0];
-  if (written) return child;
-  ::close(out[0]);
-  if (problem == 0) reap(child.process);
-  throw std::runtime_error("cannot start " + program + ": " + std::strerror(problem));
 }
 
 /** Until the driver's process ends, is silent for too long, or is to end; returns what was the
  * trouble, empty when the process says more by how it ends. */
-std::string SensorProcess::listen(const Child& child) {
+std::string SensorProcess::listen(const DriverProcess& driver) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     ++status_.starts;
+    status_.process = driver.id();
+    toEnd_.reset();
   }
   SensorMessageReader reader;
   std::string trouble;
-  auto heard = Clock::now();
-  for (std::array<char, 65536> bytes; !isEnding();) {
-    pollfd waited{child.messages, POLLIN, 0};
-    if (::poll(&waited, 1, 50) > 0) {
-      const auto count = ::read(child.messages, bytes.data(), bytes.size());
-      if (count <= 0) return trouble;
-      reader.add(bytes.data(), static_cast<std::size_t>(count));
-    }
+  for (auto heard = Clock::now();;) {
+    const auto bytes = driver.read(kRead_s);
+    if (!bytes) return trouble;
+    reader.add(bytes->data(), bytes->size());
     while (const auto message = reader.next()) {
       accept(*message);
       if (message->kind == SensorMessage::Kind::Trouble)
@@ -177,8 +107,10 @@ std::string SensorProcess::listen(const Child& child) {
     }
     if (std::chrono::duration<double>(Clock::now() - heard).count() > options_.silence_s)
       return trouble.empty() ? "the driver delivers nothing" : trouble;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (toEnd_) return *toEnd_;
+    if (ending_) return trouble;
   }
-  return trouble;
 }
 
 void SensorProcess::accept(const SensorMessage& message) {

@@ -22,7 +22,7 @@ std::string valueOf(const Config::FreeSection& section, const std::string& key,
 void SensorsParameters::describe(ConfigSection& section) {
   stamps.describe(section);
   section.number("silence_s", silence_s, {0.5, 600.0}, "s",
-                 "a driver that delivers nothing for so long is started again");
+                 "a driver that delivers nothing usable for so long is started again");
 }
 
 std::string labelOf(const std::string& name, const Config::FreeSection& section) {
@@ -43,7 +43,8 @@ std::string sensorProgram() {
 
 Sensors::Sensors(const std::map<std::string, Config::FreeSection>& drivers,
                  const SensorsParameters& parameters, const std::string& program,
-                 const std::string& logDirectory) {
+                 const std::string& logDirectory)
+    : silence_s_(parameters.silence_s) {
   for (const auto& [name, section] : drivers) {
     SensorProcess::Options options;
     options.program = program;
@@ -67,6 +68,9 @@ void Sensors::collect(SensorFrame& frame) {
 void Sensors::take(Sensor& sensor, SensorFrame& frame) {
   const auto status = sensor.process->status();
   if (!status.trouble.empty()) sensor.report.trouble = status.trouble;
+  sensor.report.process = status.process;
+  if (sensor.report.starts != status.starts) sensor.refusedSince_s.reset();
+  sensor.report.starts = status.starts;
   CObservation2DRangeScan::ConstPtr scan;
   CObservation3DRangeScan::ConstPtr depth;
   for (const auto& observation : sensor.process->take()) {
@@ -79,6 +83,10 @@ void Sensors::take(Sensor& sensor, SensorFrame& frame) {
   }
   if (scan) frame.scans.push_back(scan);
   if (depth) frame.depth.push_back(depth);
+  if (scan || depth) sensor.refusedSince_s.reset();
+  if (!sensor.refusedSince_s || frame.time_s - *sensor.refusedSince_s <= silence_s_) return;
+  sensor.process->startAgain(sensor.report.lastRefusal);
+  sensor.refusedSince_s.reset();
 }
 
 /** Whether it can be believed to be new; notes that. */
@@ -91,6 +99,7 @@ bool Sensors::isNew(Sensor& sensor, const mrpt::obs::CObservation& observation,
   report.refused = sensor.check.refused();
   if (!report.trouble.empty()) {
     report.lastRefusal = report.trouble;
+    if (!sensor.refusedSince_s) sensor.refusedSince_s = frame.time_s;
     return false;
   }
   const double latency_s = frame.time_s - stamp_s;

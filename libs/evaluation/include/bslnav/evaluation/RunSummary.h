@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bslnav/evaluation/Thinning.h>
 #include <bslnav/navigation/CycleRecord.h>
 
 #include <cstdint>
@@ -15,7 +16,8 @@ enum class Outcome : std::uint8_t { Goal, Contact, Timeout, Stuck, Error };
 /** The word for an outcome in summary.json and in tables. */
 const char* nameOf(Outcome outcome);
 
-/** Median, 99th percentile and maximum of a stage over all cycles [ms]. */
+/** Median, 99th percentile and maximum of a stage over all cycles [ms]; the former two over those
+ * that are kept of a long run. */
 struct Percentiles {
   double p50 = 0.0, p99 = 0.0, max = 0.0;
 };
@@ -99,7 +101,9 @@ class Metrics {
   bool goalMoved_ = false;
   double path_m_ = 0.0, lapse_s_ = 0.0, stopped_s_ = 0.0, time_s_ = 0.0, blindSpots_ = 0.0;
   mrpt::math::TPoint2D last_;
+  Thinning thinning_;
   std::vector<StageTimes> times_;
+  StageTimes longest_;
 };
 
 }  // namespace bslnav

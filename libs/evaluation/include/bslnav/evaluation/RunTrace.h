@@ -2,13 +2,14 @@
 
 #include <bslnav/evaluation/CycleSnapshots.h>
 #include <bslnav/evaluation/SimulationRun.h>
+#include <bslnav/evaluation/Thinning.h>
 
 #include <optional>
 #include <vector>
 
 namespace bslnav {
 
-/** What the pictures of a simulated run show, gathered cycle by cycle; map frame. */
+/** What the pictures of a run show, gathered cycle by cycle, of a long run thinned; map frame. */
 struct RunTrace {
   std::vector<double> time_s, speed_mps, command_mps, clearance_m;
   std::vector<double> distance_m;  ///< driven so far
@@ -23,6 +24,13 @@ struct RunTrace {
 
   /** Takes in one cycle. @param instants_s rising times at which a snapshot is kept */
   void observe(const SimulationMoment& moment, const std::vector<double>& instants_s);
+
+ private:
+  void keep(const SimulationMoment& moment);
+  void halve();
+
+  Thinning thinning_;
+  double driven_m_ = 0.0;
 };
 
 }  // namespace bslnav

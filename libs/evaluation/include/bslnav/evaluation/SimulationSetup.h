@@ -36,12 +36,15 @@ struct ScenarioParameters {
   std::string name = "unnamed";
   mrpt::math::TPose2D start;
   std::vector<mrpt::math::TPose2D> goals;  ///< the last one is the goal, those before are waypoints
+  int rounds = 1;                          ///< how often they are gone through
   double timeLimit_s = 90.0;
   std::string map = "world";  ///< "world": a survey of it; "none"; or a file
   double triggerVariation_m = 0.0;
   double speedVariation = 0.0;
 
   void describe(ConfigSection& section);
+  /** The goals of all rounds. */
+  std::vector<mrpt::math::TPose2D> allGoals() const;
 };
 
 struct PictureParameters {
@@ -55,7 +58,8 @@ struct PictureParameters {
 /** What a run leaves in MRPT's own formats. */
 struct RecordingParameters {
   bool rawlog = false, mvsimWorld = false, scene = false, scenePicture = false;
-  double scene_s = 0.0;  ///< instant of the scene; 0: the end of the run
+  double scene_s = 0.0;   ///< instant of the scene; 0: the end of the run
+  double memory_s = 0.0;  ///< from one look at the memory to the next; 0: none
   int pictureWidth_px = 1600, pictureHeight_px = 900;
 
   void describe(ConfigSection& section);

@@ -18,6 +18,7 @@
 
 namespace bslnav {
 
+class CreateSafety;
 class DeviceLine;
 
 /** An iRobot Create 2, or a Roomba, on its Open Interface over a serial line.
@@ -64,10 +65,9 @@ class CreateBase : public Base {
   std::unique_ptr<DeviceLine> line_;
   CreateFrameParser parser_;
   CreateOdometry odometry_;
-  CreateSensors sensors_;
+  std::unique_ptr<CreateSafety> safety_;
   CreateWheels sent_;
   Clock::time_point sentAt_, askedForSafeModeAt_;
-  bool leftSafeMode_ = false;
 
   mutable std::mutex mutex_;  // for all below
   BaseState state_;

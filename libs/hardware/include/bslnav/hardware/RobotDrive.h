@@ -42,9 +42,9 @@ class RobotDrive {
   /** Called after every cycle, when the command is sent; returning false interrupts the drive. */
   using Observer = std::function<bool(const DriveMoment&)>;
 
-  /** @param localization null: the base localises itself. All outlive this object. */
+  /** @param localization null: the base localises itself. All but the clock outlive this object. */
   RobotDrive(NavigationCycle& cycle, Base& base, Sensors& sensors, Localization* localization,
-             const DriveParameters& parameters, double period_s);
+             const DriveParameters& parameters, double period_s, DriveClock clock = DriveClock());
 
   /** Until the goal is reached, or something else ends it; never throws. */
   DriveEnd run(const Observer& observer);

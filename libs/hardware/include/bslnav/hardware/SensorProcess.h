@@ -5,11 +5,14 @@
 
 #include <condition_variable>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
 
 namespace bslnav {
+
+class DriverProcess;
 
 /** A sensor driver of MRPT's in a process of its own, and the thread that listens to it.
  *
@@ -25,6 +28,7 @@ class SensorProcess {
   };
   struct Status {
     int starts = 0, observations = 0;
+    int process = -1;     ///< the driver's; -1: it does not run now
     std::string trouble;  ///< the last there was, in words; empty since it delivers
   };
 
@@ -40,24 +44,21 @@ class SensorProcess {
   /** What it delivered since the last call. */
   std::vector<mrpt::obs::CObservation::Ptr> take();
   Status status() const;
+  /** The driver is ended and started again: what it delivers is of no use. */
+  void startAgain(const std::string& why);
 
  private:
-  struct Child {
-    int process = -1, messages = -1;  // what it writes
-  };
-
   void supervise();
-  Child start() const;
-  std::string listen(const Child& child);
+  std::string listen(const DriverProcess& driver);
   void accept(const SensorMessage& message);
   bool waitOrEnd(double time_s);
-  bool isEnding() const;
 
   std::string name_, ini_;
   Options options_;
   mutable std::mutex mutex_;
   std::condition_variable endingChanged_;
   bool ending_ = false;
+  std::optional<std::string> toEnd_;  // why the driver is to be started again
   Status status_;
   std::vector<mrpt::obs::CObservation::Ptr> observations_;
   std::thread thread_;

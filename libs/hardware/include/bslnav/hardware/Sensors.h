@@ -8,6 +8,7 @@
 #include <deque>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,7 @@ namespace bslnav {
 
 struct SensorsParameters {
   StampCheckParameters stamps;
-  double silence_s = 5.0;  ///< a driver that delivers nothing for so long is started again
+  double silence_s = 5.0;  ///< a driver that delivers nothing usable for so long is started again
 
   void describe(ConfigSection& section);
 };
@@ -28,6 +29,8 @@ class Sensors {
     std::string name, driver;
     SensorKind kind = SensorKind::Laser;
     int frames = 0, refused = 0;
+    int starts = 0;    ///< of its driver
+    int process = -1;  ///< the driver's; -1: it does not run now
     double rate_hz = 0.0, latency_s = 0.0,
            worstLatency_s = 0.0;          ///< from its stamp until collected
     std::string trouble;                  ///< the newest, in words; empty: none
@@ -55,12 +58,14 @@ class Sensors {
     StampCheck check;
     Report report;
     double first_s = 0.0, latencies_s = 0.0;
+    std::optional<double> refusedSince_s{};  // while nothing but what is refused comes
   };
 
-  static void take(Sensor& sensor, SensorFrame& frame);
+  void take(Sensor& sensor, SensorFrame& frame);
   static bool isNew(Sensor& sensor, const mrpt::obs::CObservation& observation,
                     const mrpt::obs::CObservation2DRangeScan* scan, const SensorFrame& frame);
 
+  double silence_s_;
   std::deque<Sensor> sensors_;
 };
 
