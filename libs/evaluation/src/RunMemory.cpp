@@ -27,8 +27,9 @@ void RunMemory::observe(double time_s, const mrpt::math::TPoint2D& position,
                         const std::function<std::vector<Program>()>& programs) {
   if (last_) way_m_ += (position - *last_).norm();
   last_ = position;
-  if (time_s < due_s_) return;
-  due_s_ = time_s + period_s_;
+  constexpr double kRounding_s = 1e-6;  // of times that are sums of periods
+  if (time_s < due_s_ - kRounding_s) return;
+  while (due_s_ <= time_s + kRounding_s) due_s_ += period_s_;
   sample(time_s, programs());
 }
 
