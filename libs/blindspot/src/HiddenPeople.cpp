@@ -106,11 +106,10 @@ void HiddenPeople::look(const std::vector<const PlanarScan*>& scans, double stam
   standing_.forget(seen_);
   grow(personSpeed_mps * elapsed_s);
   if (parameters_.outsideView == HiddenPeopleParameters::OutsideView::Free) forgetOutsideView();
-  clearRobot();
 }
 
 void HiddenPeople::findFrontier(const std::vector<TPoint2D>& bodies) {
-  clearBodies(bodies);
+  takeBodies(bodies);
   keepWhereSomebodyFits();
   floodFromRobot();
   workBits_.growCross();
@@ -249,17 +248,23 @@ void HiddenPeople::forgetOutsideView() {
   }
 }
 
-/** No part of anybody else is where the bodies are of people who are seen. */
-void HiddenPeople::clearBodies(const std::vector<TPoint2D>& bodies) {
-  const double radius_m = parameters_.radius_m;
+/** Nobody hides in a disc, nor between it and what is seen near it. */
+void HiddenPeople::takeRoom(const TPoint2D& centre, double radius_m) {
+  const CellWindow window = cellsAround(centre, radius_m);
+  for (int y = window.y0; y < window.y1; ++y)
+    for (int x = window.x0; x < window.x1; ++x)
+      if (std::hypot(seen_.idx2x(x) - centre.x, seen_.idx2y(y) - centre.y) <= radius_m)
+        seen_.at(x, y) = kYes;
+}
+
+/** Takes the room of the robot and of people who are seen. */
+void HiddenPeople::takeBodies(const std::vector<TPoint2D>& bodies) {
+  const TPoint2D robot(mapFromRobot_.x, mapFromRobot_.y);
+  takeRoom(robot, bodyRadius_m_);
   for (const TPoint2D& nearest : bodies) {
-    const TPoint2D ray = nearest - TPoint2D(mapFromRobot_.x, mapFromRobot_.y);
-    const TPoint2D centre = nearest + ray * (radius_m / std::max(ray.norm(), 1e-6));
-    const CellWindow window = cellsAround(centre, radius_m);
-    for (int y = window.y0; y < window.y1; ++y)
-      for (int x = window.x0; x < window.x1; ++x)
-        if (std::hypot(seen_.idx2x(x) - centre.x, seen_.idx2y(y) - centre.y) <= radius_m)
-          seen_.at(x, y) = kYes;
+    const TPoint2D ray = nearest - robot;
+    takeRoom(nearest + ray * (parameters_.radius_m / std::max(ray.norm(), 1e-6)),
+             parameters_.radius_m);
   }
 }
 
@@ -281,22 +286,6 @@ CellWindow HiddenPeople::cellsAround(const TPoint2D& centre, double radius_m) co
   return CellWindow{x, y, x + 1, y + 1}.grown(reach).intersected(possible_.bounds());
 }
 
-CellWindow HiddenPeople::cellsOfRobot() const {
-  return cellsAround({mapFromRobot_.x, mapFromRobot_.y}, bodyRadius_m_);
-}
-
-void HiddenPeople::clearRobot() {
-  const CellWindow window = cellsOfRobot();
-  for (int y = window.y0; y < window.y1; ++y)
-    for (int x = window.x0; x < window.x1; ++x) {
-      const double dx = possible_.idx2x(x) - mapFromRobot_.x;
-      const double dy = possible_.idx2y(y) - mapFromRobot_.y;
-      if (dx * dx + dy * dy > bodyRadius_m_ * bodyRadius_m_) continue;
-      possible_.at(x, y) = kNo;
-      seen_.at(x, y) = kYes;  // nobody fits between the robot and what is seen near it
-    }
-}
-
 /** Leaves in workBits_ the cells that are free of people and connected with the robot, through
  * whatever is neither a wall nor possible: seen, or hidden where nobody fits. Behind walls there
  * are such cells, too, but nobody walks from there to the robot. */
@@ -304,7 +293,7 @@ void HiddenPeople::floodFromRobot() {
   blockedBits_.add(possibleBits_);
   blockedBits_.invert();
   workBits_.clear();
-  const CellWindow window = cellsOfRobot();
+  const CellWindow window = cellsAround({mapFromRobot_.x, mapFromRobot_.y}, bodyRadius_m_);
   for (int y = window.y0; y < window.y1; ++y)
     for (int x = window.x0; x < window.x1; ++x) workBits_.set(x, y);
   workBits_.flood(blockedBits_);

@@ -87,11 +87,10 @@ class HiddenPeople {
   void markSurfaces(const ScanView& view);
   void grow(double distance_m);
   void forgetOutsideView();
-  void clearBodies(const std::vector<mrpt::math::TPoint2D>& bodies);
+  void takeRoom(const mrpt::math::TPoint2D& centre, double radius_m);
+  void takeBodies(const std::vector<mrpt::math::TPoint2D>& bodies);
   CellWindow cellsAround(const mrpt::math::TPoint2D& centre, double radius_m) const;
   void keepWhereSomebodyFits();
-  CellWindow cellsOfRobot() const;
-  void clearRobot();
   void floodFromRobot();
 
   HiddenPeopleParameters parameters_;
