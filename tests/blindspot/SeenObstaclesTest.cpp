@@ -31,6 +31,19 @@ TEST(SeenObstacles, WhatIsStraightIsAnObstacleAtOnceAndWhoStandsBesideItIsNot) {
   }
 }
 
+/** Their hits lie on a line over 0.4 m for a moment, and are of no wall. */
+TEST(SeenObstacles, PeopleWhoWalkPastEachOtherAreNone) {
+  Seen people;
+  for (int k = 0; k < 17; ++k) {
+    const double walked_m = 0.1 * k;
+    const PlanarScan scan =
+        nearerOf(discAt(1.24, 0.8 - walked_m, 0.25), discAt(1.02, walked_m - 0.59, 0.25));
+    people.update({{&scan}, {}, {}}, walked_m);  // at 1 m/s
+    const auto hits = std::count(scan.beam.begin(), scan.beam.end(), PlanarScan::Beam::Hit);
+    EXPECT_EQ(people.frontier().size(), static_cast<std::size_t>(hits)) << k;
+  }
+}
+
 /** Whoever walks out of what was taken for an obstacle is somebody after a hand's breadth. */
 TEST(SeenObstacles, WhoeverLeavesThePlaceOfAnObstacleIsSomebody) {
   Seen people;

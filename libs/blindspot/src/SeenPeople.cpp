@@ -20,7 +20,7 @@ constexpr double kSlack_m = 0.3;       // of the visible middle between two scan
 void SeenPeople::update(const Views& views, double stamp_s, const mrpt::math::TPose2D& mapFromRobot,
                         const Place& place, double personSpeed_mps) {
   if (views.lasers.empty() && views.cameras.empty()) return;
-  seen_.find(views, mapFromRobot, place);
+  seen_.find(views, mapFromRobot, place, movers_);
   frontier_.clear();
   bodies_.clear();
   verdicts_.clear();
@@ -44,7 +44,8 @@ void SeenPeople::update(const Views& views, double stamp_s, const mrpt::math::TP
 
 SeenPeople::Verdict SeenPeople::verdictOf(const Thing& thing, double stamp_s, const Place& place,
                                           double personSpeed_mps) {
-  if (thing.isLow.value_or(false) || thing.width_m > parameters_.widest_m) return Verdict::Obstacle;
+  if (thing.isLow.value_or(false)) return Verdict::Obstacle;
+  if (thing.width_m > parameters_.widest_m && !thing.isBesideWalker) return Verdict::Obstacle;
   Track* known = trackOf(thing, stamp_s, personSpeed_mps);
   if (!known && isNarrow(thing) && !mayHaveCome(thing, stamp_s, place, personSpeed_mps))
     return Verdict::Obstacle;

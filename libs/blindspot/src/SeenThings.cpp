@@ -8,7 +8,8 @@ namespace {
 
 using mrpt::math::TPoint2D;
 
-constexpr double kBeside_m = 0.65;    // so far from a hit somebody who is hidden matters for it
+constexpr double kBeside_m = 0.65;  // so far from a hit somebody who is hidden matters for it
+constexpr double kWalker_m = 0.6;   // so near to the middle of a walker are two abreast, and a step
 constexpr double kStraight_m = 0.03;  // hits of something straight lie so near to a line
 
 TPoint2D endOf(const PlanarScan& scan, std::size_t beam, const mrpt::math::TPose2D& mapFromRobot) {
@@ -50,7 +51,8 @@ bool SeenThings::Place::isReached(const TPoint2D& p, double distance_m) const {
 }
 
 void SeenThings::find(const Views& views, const mrpt::math::TPose2D& mapFromRobot,
-                      const Place& place) {
+                      const Place& place, const Movers& walkers) {
+  walkers_ = walkers;
   points_.clear();
   is_.clear();
   things_.clear();
@@ -119,8 +121,15 @@ void SeenThings::addThings(std::size_t first, std::size_t others, bool coveredBe
   }
 }
 
+bool SeenThings::isBesideWalker(const TPoint2D& p) const {
+  return std::any_of(walkers_.begin(), walkers_.end(), [&p](const Mover& walker) {
+    return (walker.position - p).sqrNorm() <= kWalker_m * kWalker_m;
+  });
+}
+
 /** Notes the pieces between two hits that are too long and straight for a person: between the ends
- * of a piece all hits are near its chord, else it is halved where one is farthest from it. */
+ * of a piece all hits are near its chord, else it is halved where one is farthest from it. People
+ * who walk past each other look so for a moment. */
 void SeenThings::findStraight(std::size_t first, std::size_t last) {
   const TPoint2D chord = points_[last] - points_[first];
   const double length = chord.norm();
@@ -139,7 +148,7 @@ void SeenThings::findStraight(std::size_t first, std::size_t last) {
   if (farthest == first) {
     if (length < parameters_.straight_m) return;
     for (std::size_t i = first; i <= last; ++i)
-      if (is_[i] != Is::Mapped) is_[i] = Is::Obstacle;
+      if (is_[i] != Is::Mapped && !isBesideWalker(points_[i])) is_[i] = Is::Obstacle;
     return;
   }
   findStraight(first, farthest);
@@ -153,7 +162,11 @@ void SeenThings::addThing(std::size_t first, std::size_t end, std::size_t others
   const double width =
       widthOf(begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(end));
   const auto count = end - first;
-  Thing thing{first,        count,       sum * (1.0 / static_cast<double>(count)), width, isCovered,
+  const auto from = begin + static_cast<std::ptrdiff_t>(first);
+  const bool beside = std::any_of(from, from + static_cast<std::ptrdiff_t>(count),
+                                  [this](const TPoint2D& p) { return isBesideWalker(p); });
+  Thing thing{first,        count,       sum * (1.0 / static_cast<double>(count)),
+              width,        isCovered,   beside,
               std::nullopt, std::nullopt};
   thing.another = findAnother(thing, others);
   things_.push_back(thing);

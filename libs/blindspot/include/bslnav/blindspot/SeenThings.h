@@ -1,6 +1,7 @@
 #pragma once
 
 #include <bslnav/blindspot/BitGrid.h>
+#include <bslnav/blindspot/Mover.h>
 #include <bslnav/blindspot/SeenPeopleParameters.h>
 #include <bslnav/blindspot/StandingThings.h>
 #include <bslnav/costmap/CostGrid.h>
@@ -14,7 +15,8 @@
 namespace bslnav {
 
 /** Joins the hits that neither the map nor an obstacle explains to things, in the order of the
- * beams. What is straight over a length is an obstacle; what cameras see to be low is said so. */
+ * beams. What is straight over a length is an obstacle, but not beside who walks; what cameras see
+ * to be low is said so. */
 class SeenThings {
  public:
   /** In one robot frame. Where several see the same thing, the first one's is told apart. */
@@ -39,13 +41,16 @@ class SeenThings {
     mrpt::math::TPoint2D middle;
     double width_m;
     bool isCovered;                      ///< something nearer hides how far it goes on
+    bool isBesideWalker;                 ///< it may be, or hold, somebody who walks
     std::optional<bool> isLow;           ///< nullopt: not seen whole
     std::optional<std::size_t> another;  ///< index of the same thing in a scan before
   };
 
   explicit SeenThings(const SeenPeopleParameters& parameters) : parameters_(parameters) {}
 
-  void find(const Views& views, const mrpt::math::TPose2D& mapFromRobot, const Place& place);
+  /** @param walkers those who walked a moment ago */
+  void find(const Views& views, const mrpt::math::TPose2D& mapFromRobot, const Place& place,
+            const Movers& walkers);
 
   const std::vector<Thing>& things() const { return things_; }
   /** Map frame. */
@@ -64,6 +69,7 @@ class SeenThings {
   void findThings(const PlanarScan& scan, const mrpt::math::TPose2D& mapFromRobot,
                   const Place& place);
   void addThings(std::size_t first, std::size_t others, bool coveredBefore, bool coveredAfter);
+  bool isBesideWalker(const mrpt::math::TPoint2D& p) const;
   void findStraight(std::size_t first, std::size_t last);
   void addThing(std::size_t first, std::size_t end, std::size_t others, bool isCovered);
   std::optional<std::size_t> findAnother(const Thing& thing, std::size_t others) const;
@@ -75,6 +81,7 @@ class SeenThings {
   std::vector<mrpt::math::TPoint2D> points_, obstacles_;
   std::vector<Is> is_;  // of points_
   std::vector<Top> tops_;
+  Movers walkers_;
   std::vector<Thing> things_;
 };
 
