@@ -25,7 +25,7 @@ BitGrid bitsOf(const CostGrid& grid) {
 }
 bool areSame(const BitGrid& bits, const CostGrid& expected) {
   CostGrid actual(expected.width(), expected.height(), 0.05, 0.0, 0.0, 7);
-  bits.copyTo(actual, 255, 0);
+  bits.copyTo(actual);
   for (int y = 0; y < expected.height(); ++y)
     if (!std::equal(actual.row(y), actual.row(y) + actual.width(), expected.row(y))) return false;
   return true;
@@ -89,7 +89,7 @@ RC_GTEST_PROP(BitGrid, FloodsAsStepByStep, ()) {
     stepped.keep(bitsOf(through));
   }
   CostGrid expected(width, height, 0.05, 0.0, 0.0, 0);
-  stepped.copyTo(expected, 255, 0);
+  stepped.copyTo(expected);
   RC_ASSERT(areSame(flooded, expected));
 }
 

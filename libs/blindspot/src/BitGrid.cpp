@@ -7,16 +7,11 @@
 namespace bslnav {
 namespace {
 
-/** Bits of a row moved up (to higher x) or down by 0 < by < 64 times words·64. */
-std::uint64_t movedUp(const std::uint64_t* row, int word, int by) {
-  const int whole = by / 64, part = by % 64, from = word - whole;
-  const std::uint64_t high = from >= 0 ? row[from] << part : 0;
-  return part != 0 && from >= 1 ? high | row[from - 1] >> (64 - part) : high;
-}
-std::uint64_t movedDown(const std::uint64_t* row, int word, int words, int by) {
-  const int whole = by / 64, part = by % 64, from = word + whole;
-  const std::uint64_t low = from < words ? row[from] >> part : 0;
-  return part != 0 && from + 1 < words ? low | row[from + 1] << (64 - part) : low;
+/** A word of a row whose bits are spread to their neighbours before and after. */
+std::uint64_t widened(const std::uint64_t* row, int word, int words) {
+  const std::uint64_t before = word > 0 ? row[word - 1] >> 63 : 0;
+  const std::uint64_t after = word + 1 < words ? row[word + 1] << 63 : 0;
+  return row[word] | row[word] << 1 | before | row[word] >> 1 | after;
 }
 
 /** A bit each for eight cells, the lowest for the first: whether it is not 0. */
@@ -26,6 +21,30 @@ std::uint8_t nonZeroOf(const Cost* cells) {
   std::memcpy(&eight, cells, sizeof(eight));  // little-endian, as Debian's machines with MRPT are
   const std::uint64_t tops = (((eight & kLow7) + kLow7) | eight) & kTops;
   return static_cast<std::uint8_t>(((tops >> 7) * 0x0102040810204080) >> 56);
+}
+
+/** The other way: 255 in each of eight bytes whose bit is set. */
+std::uint64_t bytesOf(std::uint64_t bits) {
+  constexpr std::uint64_t kEach = 0x0101010101010101, kOwn = 0x8040201008040201;
+  const std::uint64_t own = ((bits & 0xff) * kEach) & kOwn;  // each byte keeps its own bit
+  const std::uint64_t tops = (own + 0x7f7f7f7f7f7f7f7f) | own;
+  return ((tops >> 7) & kEach) * 255;
+}
+
+std::uint64_t reversed(std::uint64_t bits) {
+  bits = ((bits >> 1) & 0x5555555555555555) | ((bits & 0x5555555555555555) << 1);
+  bits = ((bits >> 2) & 0x3333333333333333) | ((bits & 0x3333333333333333) << 2);
+  bits = ((bits >> 4) & 0x0f0f0f0f0f0f0f0f) | ((bits & 0x0f0f0f0f0f0f0f0f) << 4);
+  return __builtin_bswap64(bits);
+}
+
+/** The bits of `through` from each of `seeds` up to the end of its run: where adding a seed carries
+ * to. Takes over the carry of the word before and leaves its own. */
+std::uint64_t filledUp(std::uint64_t seeds, std::uint64_t through, std::uint64_t& carry) {
+  const std::uint64_t half = through + seeds, sum = half + carry;
+  const std::uint64_t entered = carry & through;  // the carry is a seed at the lowest bit
+  carry = half < through || sum < half ? 1 : 0;
+  return ((sum ^ through) | seeds | entered) & through;
 }
 
 }  // namespace
@@ -52,19 +71,15 @@ void BitGrid::assign(const CostGrid& grid) {
   }
 }
 
-void BitGrid::copyTo(CostGrid& grid, Cost inside, Cost outside) const {
+void BitGrid::copyTo(CostGrid& grid) const {
   for (int y = 0; y < height_; ++y) {
     Cost* cells = grid.row(y);
-    for (int word = 0; word < words_; ++word) {
-      const std::uint64_t bits = row(y)[word];
-      Cost* to = cells + 64 * word;
-      const int count = std::min(64, width_ - 64 * word);
-      if (bits == 0) {
-        std::fill(to, to + count, outside);
-        continue;
-      }
-      for (int k = 0; k < count; ++k) to[k] = ((bits >> k) & 1u) != 0 ? inside : outside;
+    int x = 0;
+    for (; x + 8 <= width_; x += 8) {
+      const std::uint64_t eight = bytesOf(row(y)[x / 64] >> (x % 64));
+      std::memcpy(cells + x, &eight, sizeof(eight));
     }
+    for (; x < width_; ++x) cells[x] = at(x, y) ? 255 : 0;
   }
 }
 
@@ -102,7 +117,7 @@ void BitGrid::growCross() {
   for (int y = 0; y < height_; ++y)
     for (int word = 0; word < words_; ++word) {
       const std::uint64_t* same = spare_.data() + std::ptrdiff_t{y} * words_;
-      std::uint64_t bits = same[word] | movedUp(same, word, 1) | movedDown(same, word, words_, 1);
+      std::uint64_t bits = widened(same, word, words_);
       if (y > 0) bits |= old(y - 1, word);
       if (y + 1 < height_) bits |= old(y + 1, word);
       row(y)[word] = bits;
@@ -113,8 +128,7 @@ void BitGrid::growCross() {
 void BitGrid::growSquare() {
   for (int y = 0; y < height_; ++y) {
     std::uint64_t* wide = spare_.data() + std::ptrdiff_t{y} * words_;
-    for (int word = 0; word < words_; ++word)
-      wide[word] = row(y)[word] | movedUp(row(y), word, 1) | movedDown(row(y), word, words_, 1);
+    for (int word = 0; word < words_; ++word) wide[word] = widened(row(y), word, words_);
   }
   for (int y = 0; y < height_; ++y)
     for (int word = 0; word < words_; ++word) {
@@ -132,13 +146,16 @@ void BitGrid::growDisc(int radius) {
   spare_ = bits_;
   for (int y = 0; y < height_; ++y) {
     const std::uint64_t* centre = spare_.data() + std::ptrdiff_t{y} * words_;
+    if (std::all_of(centre, centre + words_, [](std::uint64_t bits) { return bits == 0; }))
+      continue;
     std::copy(centre, centre + words_, rowA_.begin());
     int dy = radius;
     for (int half = 0; half <= radius; ++half) {
-      if (half > 0)
+      if (half > 0) {
         for (int word = 0; word < words_; ++word)
-          rowA_[static_cast<std::size_t>(word)] |=
-              movedUp(centre, word, half) | movedDown(centre, word, words_, half);
+          rowB_[static_cast<std::size_t>(word)] = widened(rowA_.data(), word, words_);
+        rowA_.swap(rowB_);
+      }
       for (; dy >= 0 && (half + 1) * (half + 1) + dy * dy > radius * radius; --dy)
         for (const int to : {y - dy, y + dy})
           if (to >= 0 && to < height_)
@@ -179,25 +196,14 @@ bool BitGrid::floodRow(int y, int from, const BitGrid& through) {
   return true;
 }
 
-/** Fills the runs of `through` in which there is a cell, in steps that double. */
-void BitGrid::spread(std::uint64_t* cells, const std::uint64_t* through) {
-  for (const bool up : {true, false}) {
-    std::copy(through, through + words_, rowA_.begin());
-    for (int by = 1; by < width_; by *= 2) {
-      const auto moved = [&](const std::uint64_t* bits, int word) {
-        return up ? movedUp(bits, word, by) : movedDown(bits, word, words_, by);
-      };
-      for (int word = 0; word < words_; ++word)
-        rowB_[static_cast<std::size_t>(word)] =
-            moved(cells, word) & rowA_[static_cast<std::size_t>(word)];
-      for (int word = 0; word < words_; ++word)
-        cells[word] |= rowB_[static_cast<std::size_t>(word)];
-      for (int word = 0; word < words_; ++word)
-        rowB_[static_cast<std::size_t>(word)] =
-            moved(rowA_.data(), word) & rowA_[static_cast<std::size_t>(word)];
-      rowA_.swap(rowB_);
-    }
-  }
+/** Fills the runs of `through` in which there is a cell: up, and in the mirror down. */
+void BitGrid::spread(std::uint64_t* cells, const std::uint64_t* through) const {
+  std::uint64_t carry = 0;
+  for (int word = 0; word < words_; ++word)
+    cells[word] = filledUp(cells[word], through[word], carry);
+  carry = 0;
+  for (int word = words_ - 1; word >= 0; --word)
+    cells[word] = reversed(filledUp(reversed(cells[word]), reversed(through[word]), carry));
 }
 
 }  // namespace bslnav

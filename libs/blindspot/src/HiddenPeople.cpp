@@ -144,7 +144,7 @@ void HiddenPeople::recentre() {
   const int reach =
       static_cast<int>(std::ceil(parameters_.mapTolerance_m / parameters_.resolution_m));
   for (int k = 0; k < reach; ++k) workBits_.growSquare();
-  workBits_.copyTo(mapped_, kYes, kNo);
+  workBits_.copyTo(mapped_);
 }
 
 void HiddenPeople::cutOut(const ScanView& view) {
@@ -155,12 +155,8 @@ void HiddenPeople::cutOut(const ScanView& view) {
   for (int y = 0; y < seen_.height(); ++y) {
     polarRow(static_cast<float>(seen_.idx2x(0) - eye.x), static_cast<float>(seen_.idx2y(y) - eye.y),
              step, offset, width, directions_.data(), squared_.data());
-    Cost* row = seen_.row(y);
-    for (int x = 0; x < width; ++x) {
-      const auto i = static_cast<std::size_t>(x);
-      row[x] = static_cast<Cost>(row[x] |
-                                 (squared_[i] < view.squaredReach(directions_[i]) ? kYes : kNo));
-    }
+    markNearer(directions_.data(), squared_.data(), view.squaredReach().data(), width,
+               seen_.row(y));
   }
 }
 
@@ -223,28 +219,24 @@ void HiddenPeople::grow(double distance_m) {
     square_ = !square_;
   }
   possibleBits_.remove(blockedBits_);
-  possibleBits_.copyTo(possible_, kYes, kNo);
+  possibleBits_.copyTo(possible_);
   reachedBits_ = possibleBits_;
 }
 
 void HiddenPeople::forgetOutsideView() {
-  std::array<Cost, ScanView::kDirections> away;
+  std::array<int, ScanView::kDirections> away;
   const double oldest_s = stamp_s_ - parameters_.lookMemory_s;
   for (std::size_t i = 0; i < away.size(); ++i) away[i] = lookedAt_s_[i] < oldest_s ? kYes : kNo;
-  if (std::count(away.begin(), away.end(), kYes) == 0) return;
+  if (std::count(away.begin(), away.end(), int{kYes}) == 0) return;
   const auto offset = static_cast<float>(-mapFromRobot_.phi * ScanView::kDirections / (2.0 * M_PI));
   for (int y = 0; y < possible_.height(); ++y) {
     polarRow(static_cast<float>(possible_.idx2x(0) - mapFromRobot_.x),
              static_cast<float>(possible_.idx2y(y) - mapFromRobot_.y),
              static_cast<float>(parameters_.resolution_m), offset, possible_.width(),
              directions_.data(), squared_.data());
-    Cost *row = possible_.row(y), *seen = seen_.row(y);
-    for (int x = 0; x < possible_.width(); ++x) {
-      const Cost here = away[static_cast<std::size_t>(directions_[static_cast<std::size_t>(x)])];
-      row[x] = static_cast<Cost>(row[x] & ~here);
-      // No room for somebody in the strip beside the view of a sensor off the centre.
-      seen[x] = static_cast<Cost>(seen[x] | here);
-    }
+    // No room for somebody in the strip beside the view of a sensor off the centre.
+    markDirections(directions_.data(), away.data(), possible_.width(), seen_.row(y),
+                   possible_.row(y));
   }
 }
 
@@ -276,7 +268,7 @@ void HiddenPeople::keepWhereSomebodyFits() {
   room.openDisc(personRadius_cells_);
   possibleBits_.assign(possible_);
   possibleBits_.keep(room);
-  possibleBits_.copyTo(possible_, kYes, kNo);
+  possibleBits_.copyTo(possible_);
 }
 
 /** The square around a disc, as far as the grid reaches. */

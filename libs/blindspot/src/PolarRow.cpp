@@ -31,4 +31,21 @@ void polarRow(float x0, float y, float step, float offset, int count, int* direc
   }
 }
 
+BSLNAV_VECTOR_CLONES
+void markNearer(const int* __restrict directions, const float* __restrict squared,
+                const float* __restrict reach, int count, Cost* __restrict row) {
+  for (int i = 0; i < count; ++i)
+    row[i] = static_cast<Cost>(row[i] | (squared[i] < reach[directions[i]] ? 255 : 0));
+}
+
+BSLNAV_VECTOR_CLONES
+void markDirections(const int* __restrict directions, const int* __restrict which, int count,
+                    Cost* __restrict marked, Cost* __restrict cleared) {
+  for (int i = 0; i < count; ++i) {
+    const int here = which[directions[i]];
+    marked[i] = static_cast<Cost>(marked[i] | here);
+    cleared[i] = static_cast<Cost>(cleared[i] & ~here);
+  }
+}
+
 }  // namespace bslnav

@@ -22,8 +22,8 @@ class BitGrid {
 
   /** The cells of a grid of this size that are not 0. */
   void assign(const CostGrid& grid);
-  /** Sets the cells in the set to `inside`, all others to `outside`. */
-  void copyTo(CostGrid& grid, Cost inside, Cost outside) const;
+  /** Sets the cells of a grid of this size to 255 in the set, to 0 elsewhere. */
+  void copyTo(CostGrid& grid) const;
 
   void add(const BitGrid& other);     ///< union
   void remove(const BitGrid& other);  ///< difference
@@ -56,7 +56,7 @@ class BitGrid {
   std::uint64_t* row(int y) { return bits_.data() + std::ptrdiff_t{y} * words_; }
   const std::uint64_t* row(int y) const { return bits_.data() + std::ptrdiff_t{y} * words_; }
   bool floodRow(int y, int from, const BitGrid& through);
-  void spread(std::uint64_t* cells, const std::uint64_t* through);
+  void spread(std::uint64_t* cells, const std::uint64_t* through) const;
   void clearTail();
 
   int width_, height_, words_;  // words of a row; unused bits at its end are 0

@@ -33,6 +33,8 @@ class ScanView {
   float squaredReach(int direction) const {
     return squaredReach_[static_cast<std::size_t>(direction)];
   }
+  /** The same of all directions. */
+  const std::array<float, kDirections>& squaredReach() const { return squaredReach_; }
   /** Whether it looks that way at all, however far. */
   bool looks(int direction) const { return squaredReach(direction) > 0.0f; }
   const std::vector<Surface>& surfaces() const { return surfaces_; }
