@@ -20,7 +20,7 @@ constexpr double kSlack_m = 0.3;       // of the visible middle between two scan
 void SeenPeople::update(const Views& views, double stamp_s, const mrpt::math::TPose2D& mapFromRobot,
                         const Place& place, double personSpeed_mps) {
   if (views.lasers.empty() && views.cameras.empty()) return;
-  seen_.find(views, mapFromRobot, place, movers_);
+  seen_.find(views, mapFromRobot, place, walkers_);
   frontier_.clear();
   bodies_.clear();
   verdicts_.clear();
@@ -85,6 +85,7 @@ bool SeenPeople::mayHaveCome(const Thing& thing, double stamp_s, const Place& pl
 
 void SeenPeople::findMovers(double stamp_s) {
   movers_.clear();
+  walkers_.clear();
   for (Track& track : tracks_) {
     const bool known = track.lastSeen_s - track.firstSeen_s >= kKnown_s;
     const bool walks = known && track.velocity.norm() >= kWalking_mps;
@@ -93,12 +94,14 @@ void SeenPeople::findMovers(double stamp_s) {
     if (walks && hasMoved)
       track.gait =
           track.velocity * std::max(1.0, kGaitKept * track.gait.norm() / track.velocity.norm());
+    if (walks && hasMoved && track.width_m >= parameters_.narrowest_m) track.walked_s = stamp_s;
+    const double unseen_s = stamp_s - track.lastSeen_s;
+    const TPoint2D now = track.position + track.velocity * unseen_s;
+    if (track.walked_s && stamp_s - *track.walked_s <= kForget_s) walkers_.push_back(now);
     const bool hasGait = track.gait.norm() > 0.0;
     const bool mayWalkOn = hasGait && stamp_s - track.stillSince_s < parameters_.personStanding_s;
     if (!walks && !mayWalkOn) continue;
-    const double unseen_s = stamp_s - track.lastSeen_s;
-    movers_.push_back(
-        {track.position + track.velocity * unseen_s, hasGait ? track.gait : track.velocity});
+    movers_.push_back({now, hasGait ? track.gait : track.velocity});
   }
 }
 
@@ -134,6 +137,7 @@ void SeenPeople::follow(Track& track, const Thing& thing, double stamp_s) const 
     track.velocity = track.velocity * (1.0 - part) + measured * part;
   }
   track.position = thing.middle;
+  track.width_m = thing.width_m;
   track.lastSeen_s = stamp_s;
   // What is seen of a thing from here and from there has its middle up to half a width away.
   const double moved_m = (thing.middle - track.stoodAt).norm();

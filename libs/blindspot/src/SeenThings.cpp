@@ -51,7 +51,7 @@ bool SeenThings::Place::isReached(const TPoint2D& p, double distance_m) const {
 }
 
 void SeenThings::find(const Views& views, const mrpt::math::TPose2D& mapFromRobot,
-                      const Place& place, const Movers& walkers) {
+                      const Place& place, const std::vector<TPoint2D>& walkers) {
   walkers_ = walkers;
   points_.clear();
   is_.clear();
@@ -122,8 +122,8 @@ void SeenThings::addThings(std::size_t first, std::size_t others, bool coveredBe
 }
 
 bool SeenThings::isBesideWalker(const TPoint2D& p) const {
-  return std::any_of(walkers_.begin(), walkers_.end(), [&p](const Mover& walker) {
-    return (walker.position - p).sqrNorm() <= kWalker_m * kWalker_m;
+  return std::any_of(walkers_.begin(), walkers_.end(), [&p](const TPoint2D& walker) {
+    return (walker - p).sqrNorm() <= kWalker_m * kWalker_m;
   });
 }
 

@@ -6,6 +6,7 @@
 #include <mrpt/math/TPose2D.h>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace bslnav {
@@ -16,9 +17,12 @@ struct Track {
   double firstSeen_s = 0.0, lastSeen_s = 0.0;
   double stillSince_s = 0.0;
   double thinSince_s = 0.0;  ///< too narrow for a person since then
+  double width_m = 0.0;      ///< when it was last seen
   mrpt::math::TPoint2D stoodAt;
   mrpt::math::TPoint2D gait;  ///< its velocity when it last walked; zero: it never did
-  int velocities = 0;         ///< so many were measured
+  /** When it last walked and was as wide as a person; nullopt: never. */
+  std::optional<double> walked_s;
+  int velocities = 0;  ///< so many were measured
 };
 
 /** Tells people from obstacles among what the map does not explain.
@@ -79,6 +83,7 @@ class SeenPeople {
   std::vector<Track> tracks_;
   Frontier frontier_;
   Movers movers_;
+  std::vector<mrpt::math::TPoint2D> walkers_;  // who certainly are people
 };
 
 }  // namespace bslnav

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <bslnav/blindspot/BitGrid.h>
-#include <bslnav/blindspot/Mover.h>
 #include <bslnav/blindspot/SeenPeopleParameters.h>
 #include <bslnav/blindspot/StandingThings.h>
 #include <bslnav/costmap/CostGrid.h>
@@ -48,9 +47,9 @@ class SeenThings {
 
   explicit SeenThings(const SeenPeopleParameters& parameters) : parameters_(parameters) {}
 
-  /** @param walkers those who walked a moment ago */
+  /** @param walkers where people walk, map frame */
   void find(const Views& views, const mrpt::math::TPose2D& mapFromRobot, const Place& place,
-            const Movers& walkers);
+            const std::vector<mrpt::math::TPoint2D>& walkers);
 
   const std::vector<Thing>& things() const { return things_; }
   /** Map frame. */
@@ -78,10 +77,9 @@ class SeenThings {
   std::optional<bool> isLow(const Thing& thing) const;
 
   SeenPeopleParameters parameters_;
-  std::vector<mrpt::math::TPoint2D> points_, obstacles_;
+  std::vector<mrpt::math::TPoint2D> points_, obstacles_, walkers_;
   std::vector<Is> is_;  // of points_
   std::vector<Top> tops_;
-  Movers walkers_;
   std::vector<Thing> things_;
 };
 
