@@ -135,7 +135,7 @@ TEST(HiddenPeople, NobodyIsInTheBodyOfSomebodySeen) {
   const PlanarScan scan = around(disc);
   HiddenPeople anything = people(), somebody = people();
   anything.update({&scan}, 0.0, {}, kWalk_mps);
-  somebody.look({&scan}, 0.0, {}, kWalk_mps);
+  somebody.look({&scan}, {}, 0.0, {}, kWalk_mps);
   somebody.findFrontier({{1.0, 0.0}});
   EXPECT_LT(nearest(anything.frontier()), 1.25);
   EXPECT_GT(nearest(somebody.frontier()), 1.35);

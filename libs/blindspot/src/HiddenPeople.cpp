@@ -79,16 +79,16 @@ HiddenPeople::HiddenPeople(const HiddenPeopleParameters& parameters, double body
   fill(mapped_, kNo);
 }
 
-void HiddenPeople::update(const std::vector<const PlanarScan*>& scans, double stamp_s,
+void HiddenPeople::update(const Scans& lasers, double stamp_s,
                           const mrpt::math::TPose2D& mapFromRobot, double personSpeed_mps) {
-  if (scans.empty()) return;
-  look(scans, stamp_s, mapFromRobot, personSpeed_mps);
+  if (lasers.empty()) return;
+  look(lasers, {}, stamp_s, mapFromRobot, personSpeed_mps);
   findFrontier({});
 }
 
-void HiddenPeople::look(const std::vector<const PlanarScan*>& scans, double stamp_s,
+void HiddenPeople::look(const Scans& lasers, const Scans& cameras, double stamp_s,
                         const mrpt::math::TPose2D& mapFromRobot, double personSpeed_mps) {
-  if (scans.empty()) return;
+  if (lasers.empty() && cameras.empty()) return;
   const double elapsed_s = started_ ? std::max(0.0, stamp_s - stamp_s_) : 0.0;
   stamp_s_ = started_ ? std::max(stamp_s, stamp_s_) : stamp_s;
   mapFromRobot_ = mapFromRobot;
@@ -97,20 +97,43 @@ void HiddenPeople::look(const std::vector<const PlanarScan*>& scans, double stam
   started_ = true;
   fill(seen_, kNo);
   fill(surface_, kNo);
-  for (const PlanarScan* scan : scans) {
-    view_.assign(*scan, parameters_.gap_m);
-    noteLooks(view_);
-    cutOut(view_);
-    markSurfaces(view_);
+  laserLooks_.fill(false);
+  for (const PlanarScan* scan : lasers) {
+    takeIn(*scan);
+    for (int i = 0; i < ScanView::kDirections; ++i)
+      if (view_.looks(i)) laserLooks_[static_cast<std::size_t>(i)] = true;
   }
   standing_.forget(seen_);
+  for (const PlanarScan* scan : cameras) takeIn(*scan);
+  if (!cameras.empty())
+    standing_.forget(seen_, [this](const TPoint2D& p) { return !laserLooksAt(p); });
   grow(personSpeed_mps * elapsed_s);
   if (parameters_.outsideView == HiddenPeopleParameters::OutsideView::Free) forgetOutsideView();
 }
 
+void HiddenPeople::takeIn(const PlanarScan& scan) {
+  view_.assign(scan, parameters_.gap_m);
+  noteLooks(view_);
+  cutOut(view_);
+  markSurfaces(view_);
+}
+
+bool HiddenPeople::laserLooksAt(const TPoint2D& point) const {
+  const TPoint2D seen = mapFromRobot_.inverseComposePoint(point);
+  const double turn = 0.5 + std::atan2(seen.y, seen.x) / (2.0 * M_PI);  // from −π on
+  const int direction = static_cast<int>(turn * ScanView::kDirections) % ScanView::kDirections;
+  return laserLooks_[static_cast<std::size_t>(direction)];
+}
+
 void HiddenPeople::findFrontier(const std::vector<TPoint2D>& bodies) {
-  takeBodies(bodies);
+  takeRoom({mapFromRobot_.x, mapFromRobot_.y}, bodyRadius_m_);
+  possibleBits_.assign(possible_);
   keepWhereSomebodyFits();
+  possibleBits_.copyTo(possible_);
+  if (!bodies.empty()) {  // they stay possible: who is seen now may walk behind something
+    takeBodies(bodies);
+    keepWhereSomebodyFits();
+  }
   floodFromRobot();
   workBits_.growCross();
   workBits_.keep(possibleBits_);
@@ -249,10 +272,9 @@ void HiddenPeople::takeRoom(const TPoint2D& centre, double radius_m) {
         seen_.at(x, y) = kYes;
 }
 
-/** Takes the room of the robot and of people who are seen. */
+/** Takes the room of people who are seen. */
 void HiddenPeople::takeBodies(const std::vector<TPoint2D>& bodies) {
   const TPoint2D robot(mapFromRobot_.x, mapFromRobot_.y);
-  takeRoom(robot, bodyRadius_m_);
   for (const TPoint2D& nearest : bodies) {
     const TPoint2D ray = nearest - robot;
     takeRoom(nearest + ray * (parameters_.radius_m / std::max(ray.norm(), 1e-6)),
@@ -266,9 +288,7 @@ void HiddenPeople::keepWhereSomebodyFits() {
   room.add(solidBits_);
   room.invert();
   room.openDisc(personRadius_cells_);
-  possibleBits_.assign(possible_);
   possibleBits_.keep(room);
-  possibleBits_.copyTo(possible_);
 }
 
 /** The square around a disc, as far as the grid reaches. */

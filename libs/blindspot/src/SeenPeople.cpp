@@ -13,6 +13,7 @@ constexpr double kSmoothing = 0.5;     // least part of a new velocity in the sm
 constexpr double kKnown_s = 0.25;      // before that a velocity is not known
 constexpr double kGaitKept = 0.9;      // of the speed of a gait, from scan to scan
 constexpr double kWalking_mps = 0.35;  // slower, it may be the view of a thing that changes
+constexpr double kPerson_m = 0.6;      // nobody is wider
 constexpr double kSlack_m = 0.3;       // of the visible middle between two scans, besides walking
 
 }  // namespace
@@ -47,7 +48,8 @@ SeenPeople::Verdict SeenPeople::verdictOf(const Thing& thing, double stamp_s, co
   if (thing.isLow.value_or(false)) return Verdict::Obstacle;
   if (thing.width_m > parameters_.widest_m && !thing.isBesideWalker) return Verdict::Obstacle;
   Track* known = trackOf(thing, stamp_s, personSpeed_mps);
-  if (!known && isNarrow(thing) && !mayHaveCome(thing, stamp_s, place, personSpeed_mps))
+  if (!known && thing.width_m < parameters_.narrowest_m &&
+      !mayHaveCome(thing, stamp_s, place, personSpeed_mps))
     return Verdict::Obstacle;
   Track& track = known ? *known : newTrack(thing, stamp_s);
   follow(track, thing, stamp_s);
@@ -73,14 +75,16 @@ void SeenPeople::note(const Thing& thing, Verdict verdict, const TPoint2D& robot
   if (verdict != Verdict::Obstacle && isWhole) bodies_.push_back(seen_.points()[nearest]);
 }
 
-/** Whether it is near where somebody unseen can have got to by now, or to whom was seen before. */
+/** Whether it is near where somebody unseen can have got to by now, or to whom was seen before.
+ * What is hidden of a thing that is covered in part may reach as far as a person does. */
 bool SeenPeople::mayHaveCome(const Thing& thing, double stamp_s, const Place& place,
                              double personSpeed_mps) const {
   for (const Track& track : tracks_) {
     const double walked_m = personSpeed_mps * (stamp_s - track.lastSeen_s);
     if ((track.position - thing.middle).norm() <= walked_m + kSlack_m + thing.width_m) return true;
   }
-  return place.isReached(thing.middle, kSlack_m + thing.width_m);
+  const double hidden_m = thing.isCovered ? kPerson_m : 0.0;
+  return place.isReached(thing.middle, kSlack_m + thing.width_m + hidden_m);
 }
 
 void SeenPeople::findMovers(double stamp_s) {

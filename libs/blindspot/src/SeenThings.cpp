@@ -10,6 +10,7 @@ using mrpt::math::TPoint2D;
 
 constexpr double kBeside_m = 0.65;  // so far from a hit somebody who is hidden matters for it
 constexpr double kWalker_m = 0.6;   // so near to the middle of a walker are two abreast, and a step
+constexpr float kSameSurface_m = 0.15f;
 constexpr double kStraight_m = 0.03;  // hits of something straight lie so near to a line
 
 TPoint2D endOf(const PlanarScan& scan, std::size_t beam, const mrpt::math::TPose2D& mapFromRobot) {
@@ -27,6 +28,12 @@ bool isCovered(const PlanarScan& scan, std::size_t beam, int side, double gap_m)
     if (scan.beam[k] != PlanarScan::Beam::Dropped)
       return scan.beam[k] == PlanarScan::Beam::Hit && scan.range_m[k] < scan.range_m[beam] + gap_m;
   return true;
+}
+
+/** Whether neighbouring beams meet the same surface, as far as their ranges tell. */
+bool isJoined(const PlanarScan& scan, std::size_t beam, std::size_t neighbour) {
+  return neighbour < scan.beam.size() && scan.beam[neighbour] == PlanarScan::Beam::Hit &&
+         std::abs(scan.range_m[neighbour] - scan.range_m[beam]) <= kSameSurface_m;
 }
 
 using Points = std::vector<TPoint2D>::const_iterator;
@@ -197,8 +204,9 @@ void SeenThings::findTops(const std::vector<const PlanarScan*>& scans,
       if (scan->beam[k] != PlanarScan::Beam::Hit) continue;
       const double highestView_m =
           scan->sensorHeight_m + static_cast<double>(scan->range_m[k] * scan->steepest[k]);
+      const bool isEdge = !isJoined(*scan, k, k - 1) || !isJoined(*scan, k, k + 1);
       tops_.push_back({endOf(*scan, k, mapFromRobot), static_cast<double>(scan->top_m[k]),
-                       highestView_m >= parameters_.lowest_m});
+                       highestView_m >= parameters_.lowest_m, isEdge});
     }
 }
 
@@ -213,6 +221,7 @@ std::optional<bool> SeenThings::isLow(const Thing& thing) const {
     for (const Top& top : tops_) {
       if ((top.at - points_[i]).sqrNorm() > gap_m * gap_m) continue;
       if (top.height_m >= parameters_.lowest_m) return false;
+      if (top.isEdge) continue;
       found = true;
       whole = whole && top.isWhole;
     }

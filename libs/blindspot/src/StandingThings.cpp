@@ -32,12 +32,14 @@ void StandingThings::follow(const CostGrid& place) {
   if (dx != 0 || dy != 0) stands_.shift(dx, dy, kNo);
 }
 
-void StandingThings::forget(const CostGrid& empty) {
+void StandingThings::forget(const CostGrid& empty,
+                            const std::function<bool(const mrpt::math::TPoint2D&)>& isAsked) {
   for (int y = 0; y < stands_.height(); ++y) {
     Cost any = kNo;
     for (int x = 0; x < stands_.width(); ++x) any = static_cast<Cost>(any | stands_.at(x, y));
     for (int x = 0; any == kYes && x < stands_.width(); ++x)
-      if (stands_.at(x, y) == kYes && allAre(empty, around(empty, x, y, 1), kYes))
+      if (stands_.at(x, y) == kYes && allAre(empty, around(empty, x, y, 1), kYes) &&
+          (!isAsked || isAsked({stands_.idx2x(x), stands_.idx2y(y)})))
         stands_.at(x, y) = kNo;
   }
 }

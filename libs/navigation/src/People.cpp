@@ -15,10 +15,8 @@ void People::update(const Views& views, double stamp_s, const mrpt::math::TPose2
   pointTo(views.lasers, views_.lasers);
   pointTo(views.cameras, views_.cameras);
   pointTo(views.obstacles, views_.obstacles);
-  all_ = views_.lasers;
-  all_.insert(all_.end(), views_.cameras.begin(), views_.cameras.end());
-  if (all_.empty()) return;
-  hidden_.look(all_, stamp_s, mapFromRobot, personSpeed_mps);
+  if (views_.lasers.empty() && views_.cameras.empty()) return;
+  hidden_.look(views_.lasers, views_.cameras, stamp_s, mapFromRobot, personSpeed_mps);
   seen_.update(views_, stamp_s, mapFromRobot,
                {hidden_.mapped(), hidden_.standing(), hidden_.reached()}, personSpeed_mps);
   hidden_.findFrontier(seen_.bodies());

@@ -9,6 +9,7 @@
 #include <bslnav/costmap/StaticLayer.h>
 #include <mrpt/math/TPose2D.h>
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -49,15 +50,19 @@ class HiddenPeople {
                const std::shared_ptr<const mrpt::maps::COccupancyGridMap2D>& map,
                const StaticParameters& mapThresholds);
 
-  /** look() and findFrontier() where nobody is seen. */
-  void update(const std::vector<const PlanarScan*>& scans, double stamp_s,
-              const mrpt::math::TPose2D& mapFromRobot, double personSpeed_mps);
+  using Scans = std::vector<const PlanarScan*>;
 
-  /** Takes in what was seen, and lets people walk on; without scans nothing changes.
-   *  @param scans lasers' or PersonVisibility's, in the robot frame of `mapFromRobot`
+  /** look() and findFrontier() where nobody is seen. */
+  void update(const Scans& lasers, double stamp_s, const mrpt::math::TPose2D& mapFromRobot,
+              double personSpeed_mps);
+
+  /** Takes in what was seen, and lets people walk on; without scans nothing changes. Obstacles are
+   * forgotten where a laser sees past them; cameras, which look over low ones, tell that only where
+   * no laser looks.
+   *  @param lasers, cameras PersonVisibility's, in the robot frame of `mapFromRobot`
    *  @param stamp_s when the oldest of them was taken; the state is that of this time
    *  @param personSpeed_mps how fast people walk at most */
-  void look(const std::vector<const PlanarScan*>& scans, double stamp_s,
+  void look(const Scans& lasers, const Scans& cameras, double stamp_s,
             const mrpt::math::TPose2D& mapFromRobot, double personSpeed_mps);
 
   /** Keeps who fits where they may be, and finds the edge of that.
@@ -71,7 +76,7 @@ class HiddenPeople {
   double stamp_s() const { return stamp_s_; }
   /** Whether all directions behind the robot were looked at, within the look memory. */
   bool looksBehind() const;
-  /** 255 where somebody may be, else 0. */
+  /** 255 where somebody may be, in the bodies of those who are seen, too; else 0. */
   const CostGrid& possible() const { return possible_; }
   /** Where somebody unseen can have got to by now, before what is seen now. */
   const BitGrid& reached() const { return reachedBits_; }
@@ -82,6 +87,8 @@ class HiddenPeople {
 
  private:
   void recentre();
+  void takeIn(const PlanarScan& scan);
+  bool laserLooksAt(const mrpt::math::TPoint2D& point) const;
   void cutOut(const ScanView& view);
   void noteLooks(const ScanView& view);
   void markSurfaces(const ScanView& view);
@@ -105,6 +112,7 @@ class HiddenPeople {
   std::vector<int> directions_;  // of the cells of a row
   std::vector<float> squared_;   // their squared distances
   std::vector<double> lookedAt_s_;
+  std::array<bool, ScanView::kDirections> laserLooks_{};  // now
   mrpt::math::TPose2D mapFromRobot_;
   double stamp_s_ = 0.0, owed_m_ = 0.0;  // growth that is still owed
   bool started_ = false, square_ = false;

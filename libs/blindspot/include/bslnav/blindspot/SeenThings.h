@@ -63,6 +63,7 @@ class SeenThings {
     mrpt::math::TPoint2D at;
     double height_m;
     bool isWhole;  // the view there reaches above the lowest people
+    bool isEdge;   // beside it the view goes on past it: only a part of the height may be met
   };
 
   void findThings(const PlanarScan& scan, const mrpt::math::TPose2D& mapFromRobot,

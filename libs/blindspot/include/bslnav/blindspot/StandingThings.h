@@ -3,6 +3,8 @@
 #include <bslnav/costmap/CostGrid.h>
 #include <mrpt/math/TPoint2D.h>
 
+#include <functional>
+
 namespace bslnav {
 
 /** Where obstacles stand that the map does not show: a grid around the robot that remembers places,
@@ -13,8 +15,10 @@ class StandingThings {
   void follow(const CostGrid& place);
 
   /** Forgets what stood where it is seen to be empty now, and all around it, too.
-   *  @param empty 255 where nothing stands; the same place as in follow() */
-  void forget(const CostGrid& empty);
+   *  @param empty 255 where nothing stands; the same place as in follow()
+   *  @param isAsked whether that tells of a point, map frame */
+  void forget(const CostGrid& empty,
+              const std::function<bool(const mrpt::math::TPoint2D&)>& isAsked = nullptr);
 
   /** Notes that an obstacle reaches from one point to another. */
   void add(const mrpt::math::TPoint2D& from, const mrpt::math::TPoint2D& to);

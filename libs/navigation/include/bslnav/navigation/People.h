@@ -41,7 +41,6 @@ class People {
  private:
   HiddenPeople hidden_;
   SeenPeople seen_;
-  std::vector<const PlanarScan*> all_;
   SeenPeople::Views views_;
   Frontier frontier_;
 };
