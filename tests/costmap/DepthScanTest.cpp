@@ -94,6 +94,20 @@ class DepthObstacles : public testing::Test {
     lasers_.resize(1);
     lasers_[0].assign(laser);
   }
+  /** A laser that sees a wall across the way. */
+  void laserMeets(double x_m) {
+    mrpt::obs::CObservation2DRangeScan laser;
+    laser.aperture = static_cast<float>(M_PI / 2.0);
+    laser.maxRange = 5.6f;
+    laser.resizeScan(181);
+    for (std::size_t i = 0; i < 181; ++i) {
+      const double angle = M_PI / 2.0 * (static_cast<double>(i) / 180.0 - 0.5);
+      laser.setScanRange(i, static_cast<float>(x_m / std::cos(angle)));
+      laser.setScanRangeValidity(i, true);
+    }
+    lasers_.resize(1);
+    lasers_[0].assign(laser);
+  }
   Cost at(double x, double y) const { return costmap_.costs().costAt(x, y); }
   bool isMarkedNear(double x, double y) const {
     for (double dx = -0.05; dx < 0.06; dx += 0.05)
@@ -129,6 +143,19 @@ TEST_F(DepthObstacles, ALowThingBelowTheViewStays) {
   // m.
   see({}, {0.7, 0.0, 0.0});
   EXPECT_TRUE(isMarkedNear(1.2, 0.0));
+}
+
+/** Whoever stood so near that the camera saw only a part leaves no part behind. */
+TEST_F(DepthObstacles, AThingBelowTheViewStaysAsLongAsTheLaserMeetsIt) {
+  const DepthScene box{{{1.2, 1.5, -0.3, 0.3, 0.0, 0.2}}, 0.0};
+  laserMeets(1.2);
+  see(box);
+  laserMeets(0.5);
+  see({}, {0.7, 0.0, 0.0});
+  EXPECT_TRUE(isMarkedNear(1.2, 0.0));
+  addClearLaser();
+  for (int i = 0; i < 2; ++i) see({}, {0.7, 0.0, 0.0});
+  EXPECT_FALSE(isMarkedNear(1.2, 0.0));
 }
 
 TEST_F(DepthObstacles, ATallThingThatLeftIsClearedEvenBelowTheViewOfTheFloor) {

@@ -118,7 +118,7 @@ void LayeredCostmap::update(const mrpt::math::TPose2D& mapFromRobot,
   CellWindow visited = obstacles_.update(mapFromRobot, scans);
   if (usesDepth_ || !depthScans.empty()) {
     usesDepth_ = true;
-    visited = visited.united(depthObstacles_.update(mapFromRobot, depthScans));
+    visited = visited.united(depthObstacles_.update(mapFromRobot, depthScans, &obstacles_.grid()));
   }
   const CellWindow changed = merge(visited.united(moved));
   copy(inflated_, zones_, costs_);

@@ -11,12 +11,22 @@ namespace {
 constexpr int kShift = 32;  // fractional bits of fixed point
 constexpr double kOne = 4294967296.0;
 constexpr double kTopUnit_m = 0.02;
+constexpr std::uint8_t kAnyTop = 255;  // seen wherever the camera looks
 
 /** A height in whole units, rounded down: what was marked reached at least there. */
 std::uint8_t topOf(const PlanarScan& scan, std::size_t beam) {
   return scan.top_m.empty() ? std::uint8_t{0}
                             : static_cast<std::uint8_t>(std::clamp(
                                   static_cast<double>(scan.top_m[beam]) / kTopUnit_m, 0.0, 255.0));
+}
+
+/** Whether a cell or one of its eight neighbours is lethal. */
+bool isMarked(const CostGrid& grid, int x, int y) {
+  const CellWindow near = CellWindow{x - 1, y - 1, x + 2, y + 2}.intersected(grid.bounds());
+  for (int row = near.y0; row < near.y1; ++row)
+    for (int column = near.x0; column < near.x1; ++column)
+      if (grid.at(column, row) == kLethalCost) return true;
+  return false;
 }
 
 /** std::floor without the library call that it needs on SSE2. */
@@ -119,7 +129,7 @@ ObstacleLayer::ObstacleLayer(const ObstacleParameters& parameters, const Footpri
 }
 
 CellWindow ObstacleLayer::update(const mrpt::math::TPose2D& mapFromRobot,
-                                 const std::vector<PlanarScan>& scans) {
+                                 const std::vector<PlanarScan>& scans, const CostGrid* lasers) {
   CellWindow visited;
   marks_.clear();
   for (const auto& scan : scans) {
@@ -127,9 +137,10 @@ CellWindow ObstacleLayer::update(const mrpt::math::TPose2D& mapFromRobot,
     clearAlongLines(scan.start_m.empty());
     if (!scan.start_m.empty()) clearBelowView(mapFromRobot, scan);
   }
-  for (const Mark& mark : marks_) grid_.row(0)[mark.cell] = kLethalCost;
+  for (const Mark& mark : marks_) grid_.at(mark.x, mark.y) = kLethalCost;
   if (tops_.width() > 0)
-    for (const Mark& mark : marks_) tops_.row(0)[mark.cell] = mark.top;
+    for (const Mark& mark : marks_)
+      tops_.at(mark.x, mark.y) = lasers && isMarked(*lasers, mark.x, mark.y) ? kAnyTop : mark.top;
   if (parameters_.clearFootprint) visited = visited.united(clearUnder(mapFromRobot));
   return visited.intersected(grid_.bounds());
 }
@@ -167,8 +178,7 @@ CellWindow ObstacleLayer::trace(const mrpt::math::TPose2D& mapFromRobot, const P
     bottom = std::min(bottom, to.y), top = std::max(top, to.y);
     if (!hit || range_m > parameters_.obstacleRange_m) continue;
     const int x = floorToCell(from.x + range_m * dx), y = floorToCell(from.y + range_m * dy);
-    if (bounds.contains(x, y))
-      marks_.push_back({static_cast<std::ptrdiff_t>(y) * bounds.width() + x, topOf(scan, i)});
+    if (bounds.contains(x, y)) marks_.push_back({x, y, topOf(scan, i)});
   }
   return {floorToCell(left) - 1, floorToCell(bottom) - 1, floorToCell(right) + 2,
           floorToCell(top) + 2};

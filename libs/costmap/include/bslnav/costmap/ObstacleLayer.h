@@ -30,7 +30,8 @@ struct ObstacleParameters {
  * never clears the cell it ends in.
  *
  * A scan made of a depth image clears everything only from where it sees the floor; nearer, where a
- * low thing may be below its view, it clears a mark only if it would still see what was marked. */
+ * low thing may be below its view, it clears a mark only if it would still see what was marked, or
+ * if a laser met that, too: the laser's mark tells whether the lower part is still there. */
 class ObstacleLayer {
  public:
   /** @param shape gives size, resolution and position; its costs do not matter */
@@ -39,8 +40,10 @@ class ObstacleLayer {
 
   /** Clears along all beams of all scans, then marks the ends of all, then clears the robot's
    * footprint.
+   *  @param lasers the layer of lasers in the same place, for scans of depth images; or null
    *  @return the window of the cells that were visited; empty if none */
-  CellWindow update(const mrpt::math::TPose2D& mapFromRobot, const std::vector<PlanarScan>& scans);
+  CellWindow update(const mrpt::math::TPose2D& mapFromRobot, const std::vector<PlanarScan>& scans,
+                    const CostGrid* lasers = nullptr);
 
   /** Moves the grid by whole cells; new cells are unknown. */
   void shift(int dx, int dy);
@@ -78,7 +81,7 @@ class ObstacleLayer {
   ObstacleParameters parameters_;
   Footprint footprint_;
   struct Mark {
-    std::ptrdiff_t cell;
+    int x, y;
     std::uint8_t top;  // height of what was met, in kTopUnit_m
   };
 
