@@ -11,6 +11,8 @@ namespace {
 
 using mrpt::math::TPoint2D;
 
+constexpr int kWidth_px = 900, kHeight_px = 620;  // of a picture
+
 std::vector<TPoint2D> rolloutOf(const Candidate& candidate, const DwaResult& dwa,
                                 const CostGrid& costs) {
   std::vector<TPoint2D> points;
@@ -84,11 +86,11 @@ void drawSnapshot(MapPicture& picture, const CycleSnapshot& snapshot, const Foot
 }
 
 void CycleSnapshots::add(const CycleSnapshot& snapshot, const MapBounds& limits) {
-  constexpr int kWidth_px = 900, kHeight_px = 620;
   const CycleRecord& record = snapshot.record;
   MapPicture picture("", "", snapshotWindow({record.mapFromRobot.x, record.mapFromRobot.y}, limits),
                      {kWidth_px, kHeight_px, false});
-  drawSnapshot(picture, snapshot, footprint_);
+  if (!everything_) everything_.emplace("", "", limits);
+  for (MapPicture* target : {&picture, &*everything_}) drawSnapshot(*target, snapshot, footprint_);
 
   char caption[96];
   const int written = std::snprintf(caption, sizeof caption, "t = %.1f s, %.2f m/s", record.time_s,
@@ -97,12 +99,11 @@ void CycleSnapshots::add(const CycleSnapshot& snapshot, const MapBounds& limits)
     std::snprintf(caption + written, sizeof caption - static_cast<std::size_t>(written),
                   ", bound %.2f m/s", record.guard.bound_mps);
   tiles_.push_back({picture.finished(), caption});
-  Picture legend = picture.legend(2 * kWidth_px);
-  if (legend.height >= legend_.height) legend_ = std::move(legend);
 }
 
 void CycleSnapshots::save(const std::string& path, const std::string& title) const {
-  tiled(tiles_, 2, title, legend_).save(path);
+  const Picture legend = everything_ ? everything_->legend(2 * kWidth_px) : Picture{};
+  tiled(tiles_, 2, title, legend).save(path);
 }
 
 }  // namespace bslnav

@@ -5,6 +5,7 @@
 #include <bslnav/pictures/MapPicture.h>
 #include <bslnav/pictures/PictureTiles.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,7 +50,7 @@ class CycleSnapshots {
  private:
   Footprint footprint_;
   std::vector<PictureTile> tiles_;
-  Picture legend_;  // of the snapshot that shows the most
+  std::optional<MapPicture> everything_;  // for its legend only
 };
 
 }  // namespace bslnav
