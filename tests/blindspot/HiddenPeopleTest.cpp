@@ -261,6 +261,26 @@ TEST(HiddenPeople, ARobotMayBeLargerThanTheGrid) {
   EXPECT_TRUE(hidden.frontier().empty());
 }
 
+/** A camera looks over low things: where a laser looks, or meets something just before, it is the
+ * laser that tells whether they are gone. */
+TEST(HiddenPeople, ForgetObstaclesWhereASensorSeesThatTheyAreGone) {
+  const auto free = [](double) { return 3.5; };
+  const PlanarScan camera = around(free);
+  const PlanarScan open = test::scanOf(std::vector<float>(181, 3.5f), M_PI / 2.0),
+                   blocked = test::scanOf(std::vector<float>(181, 1.5f), M_PI / 2.0);
+  const auto isKept = [&camera](const PlanarScan& laser, double x_m) {
+    HiddenPeople hidden = people();
+    hidden.look({&laser}, {}, 0.0, {}, kWalk_mps);
+    hidden.standing().add({x_m, 0.0}, {x_m, 0.0});
+    hidden.look({&laser}, {&camera}, 0.1, {}, kWalk_mps);
+    return hidden.standing().isNear({x_m, 0.0}, 0.0);
+  };
+  EXPECT_FALSE(isKept(open, 2.0));
+  EXPECT_FALSE(isKept(open, -2.0));
+  EXPECT_TRUE(isKept(blocked, 2.0));
+  EXPECT_FALSE(isKept(blocked, 2.8));
+}
+
 /** The same view from anywhere gives the same frontier, but for the cells. */
 TEST(HiddenPeople, MoveWithTheRobot) {
   const PlanarScan scan = around(corner);

@@ -44,8 +44,11 @@ class Seen {
     reached_.set(mapped_.cellX(x_m), mapped_.cellY(y_m));
   }
 
+  /** There is a side to which no sensor looks. */
+  void haveBlindSide() { hasBlindSide_ = true; }
+
   void update(const SeenPeople::Views& views, double stamp_s) {
-    people_.update(views, stamp_s, {}, {mapped_, standing_, reached_}, kWalk_mps);
+    people_.update(views, stamp_s, {}, {mapped_, standing_, reached_, hasBlindSide_}, kWalk_mps);
   }
   const Frontier& frontier() const { return people_.frontier(); }
   const Movers& movers() const { return people_.movers(); }
@@ -56,6 +59,7 @@ class Seen {
   CostGrid mapped_;
   StandingThings standing_;
   BitGrid reached_;
+  bool hasBlindSide_ = false;
   SeenPeople people_{SeenPeopleParameters{}};
 };
 

@@ -80,6 +80,22 @@ TEST(SeenObstacles, WhatIsNarrowWhereNobodyCanHaveComeIsAnObstacleAtOnce) {
   EXPECT_FALSE(wide.frontier().empty());
 }
 
+/** A strip of something beside a nearer pole: a person goes on behind that, or past the view. */
+TEST(SeenObstacles, WhatIsCoveredIsOneWhereNobodyCanBeBehindIt) {
+  const PlanarScan scan = nearerOf(discAt(2.0, 0.3, 0.15), discAt(1.0, 0.08, 0.05));
+  const auto isSomebody = [&scan](double reached_m, bool hasBlindSide) {
+    Seen people;
+    people.reachedOnlyAt(reached_m, 0.3);
+    if (hasBlindSide) people.haveBlindSide();
+    people.update({{&scan}, {}, {}}, 0.0);
+    return std::any_of(people.frontier().begin(), people.frontier().end(),
+                       [](const FrontierPoint& p) { return p.x_m > 1.5; });
+  };
+  EXPECT_TRUE(isSomebody(2.7, false));
+  EXPECT_FALSE(isSomebody(-3.0, false));
+  EXPECT_TRUE(isSomebody(-3.0, true));
+}
+
 /** Its edges lie just within and just beyond what counts as the place of the obstacle that was seen
  * to stand: as a whole it is too narrow for anybody. */
 TEST(SeenObstacles, TheRestOfANarrowObstacleIsTheObstacle) {
@@ -136,6 +152,17 @@ TEST(SeenObstacles, WhatACameraSeesToBeLowIsNobody) {
   EXPECT_TRUE(isSomebody(topsOf(scan, 0.6f, 0.0f)));               // no ray is as high as 0.8 m
   EXPECT_TRUE(isSomebody(topsOf(discAt(2.0, 0.4, 0.25), 0.5f)));   // a part alone
   EXPECT_TRUE(isSomebody(topsOf(discAt(2.0, -1.0, 0.25), 0.5f)));  // something else
+}
+
+/** A column of pixels beside somebody's edge meets some of the height only. */
+TEST(SeenObstacles, TheEdgeOfASilhouetteTellsNoHeight) {
+  const PlanarScan strip = discAt(2.0, 0.0, 0.009);  // one beam
+  const PlanarScan edge = topsOf(strip, 0.5f), low = topsOf(discAt(2.0, 0.0, 0.1), 0.5f);
+  Seen somebody, parcel;
+  somebody.update({{&strip}, {}, {&edge}}, 0.0);
+  parcel.update({{&strip}, {}, {&low}}, 0.0);
+  EXPECT_FALSE(somebody.frontier().empty());
+  EXPECT_TRUE(parcel.frontier().empty());
 }
 
 /** It stays an obstacle beside the robot, where the camera does not look, until it moves. */

@@ -88,5 +88,21 @@ TEST(People, WhoWalksBehindSomethingMayBeThere) {
   EXPECT_LT(nearest(people.frontier(), onWay(0.0)), 0.6);
 }
 
+/** However little of them is in view at first, and though nobody is assumed where no sensor looks.
+ */
+TEST(People, WhoComesInAtTheEdgeOfTheViewIsSeenAtOnce) {
+  People people({}, {}, 0.25, nullptr, {});
+  for (int k = 0; k < 30; ++k) {
+    const Disc person{{2.0, -2.4 + 0.1 * k}, 0.25};  // at 1 m/s
+    std::vector<float> ranges;
+    for (int i = 0; i <= 180; ++i)
+      ranges.push_back(rangeTo(person, {}, M_PI / 2.0 * (i / 180.0 - 0.5), false));
+    const std::vector<PlanarScan> lasers{test::scanOf(ranges, M_PI / 2.0)};
+    people.update({lasers, {}, {}}, 0.1 * k, {}, kWalk_mps);
+    if (lasers[0].hits() == 0) continue;
+    EXPECT_LT(nearest(people.frontier(), person.centre), 0.35) << k;
+  }
+}
+
 }  // namespace
 }  // namespace bslnav

@@ -38,13 +38,12 @@ std::uint64_t reversed(std::uint64_t bits) {
   return __builtin_bswap64(bits);
 }
 
-/** The bits of `through` from each of `seeds` up to the end of its run: where adding a seed carries
- * to. Takes over the carry of the word before and leaves its own. */
+/** The bits of `through` from each of `seeds`, which are among them, up to the end of its run:
+ * where adding a seed carries to. Takes over the carry of the word before and leaves its own. */
 std::uint64_t filledUp(std::uint64_t seeds, std::uint64_t through, std::uint64_t& carry) {
   const std::uint64_t half = through + seeds, sum = half + carry;
-  const std::uint64_t entered = carry & through;  // the carry is a seed at the lowest bit
   carry = half < through || sum < half ? 1 : 0;
-  return ((sum ^ through) | seeds | entered) & through;
+  return ((sum ^ through) | seeds) & through;
 }
 
 }  // namespace

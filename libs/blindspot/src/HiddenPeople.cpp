@@ -14,6 +14,7 @@ namespace {
 using mrpt::math::TPoint2D;
 
 constexpr Cost kYes = 255, kNo = 0;
+constexpr double kDeepest_m = 1.0;  // so far a thing goes on behind what a laser meets of it
 
 void fill(CostGrid& grid, Cost value) {
   std::fill(grid.row(0), grid.row(0) + std::ptrdiff_t{grid.width()} * grid.height(), value);
@@ -97,32 +98,39 @@ void HiddenPeople::look(const Scans& lasers, const Scans& cameras, double stamp_
   started_ = true;
   fill(seen_, kNo);
   fill(surface_, kNo);
-  laserLooks_.fill(false);
-  for (const PlanarScan* scan : lasers) {
-    takeIn(*scan);
-    for (int i = 0; i < ScanView::kDirections; ++i)
-      if (view_.looks(i)) laserLooks_[static_cast<std::size_t>(i)] = true;
+  laserViews_.resize(lasers.size());
+  for (std::size_t k = 0; k < lasers.size(); ++k) {
+    laserViews_[k].assign(*lasers[k], parameters_.gap_m);
+    takeIn(laserViews_[k]);
   }
   standing_.forget(seen_);
-  for (const PlanarScan* scan : cameras) takeIn(*scan);
+  for (const PlanarScan* scan : cameras) {
+    view_.assign(*scan, parameters_.gap_m);
+    takeIn(view_);
+  }
   if (!cameras.empty())
-    standing_.forget(seen_, [this](const TPoint2D& p) { return !laserLooksAt(p); });
+    standing_.forget(seen_, [this](const TPoint2D& p) { return !isUpToLasers(p); });
   grow(personSpeed_mps * elapsed_s);
+  hasBlindSide_ = false;
   if (parameters_.outsideView == HiddenPeopleParameters::OutsideView::Free) forgetOutsideView();
 }
 
-void HiddenPeople::takeIn(const PlanarScan& scan) {
-  view_.assign(scan, parameters_.gap_m);
-  noteLooks(view_);
-  cutOut(view_);
-  markSurfaces(view_);
+void HiddenPeople::takeIn(const ScanView& view) {
+  noteLooks(view);
+  cutOut(view);
+  markSurfaces(view);
 }
 
-bool HiddenPeople::laserLooksAt(const TPoint2D& point) const {
-  const TPoint2D seen = mapFromRobot_.inverseComposePoint(point);
-  const double turn = 0.5 + std::atan2(seen.y, seen.x) / (2.0 * M_PI);  // from −π on
-  const int direction = static_cast<int>(turn * ScanView::kDirections) % ScanView::kDirections;
-  return laserLooks_[static_cast<std::size_t>(direction)];
+/** Whether a laser looks at a place, or what it meets before that may be of the same thing. */
+bool HiddenPeople::isUpToLasers(const TPoint2D& point) const {
+  const TPoint2D inRobot = mapFromRobot_.inverseComposePoint(point);
+  return std::any_of(laserViews_.begin(), laserViews_.end(), [&inRobot](const ScanView& view) {
+    const double x = inRobot.x - view.origin().x, y = inRobot.y - view.origin().y;
+    const double turn = 0.5 + std::atan2(y, x) / (2.0 * M_PI);  // from −π on
+    const int direction = static_cast<int>(turn * ScanView::kDirections) % ScanView::kDirections;
+    return view.looks(direction) &&
+           std::hypot(x, y) <= std::sqrt(view.squaredReach(direction)) + kDeepest_m;
+  });
 }
 
 void HiddenPeople::findFrontier(const std::vector<TPoint2D>& bodies) {
@@ -250,7 +258,8 @@ void HiddenPeople::forgetOutsideView() {
   std::array<int, ScanView::kDirections> away;
   const double oldest_s = stamp_s_ - parameters_.lookMemory_s;
   for (std::size_t i = 0; i < away.size(); ++i) away[i] = lookedAt_s_[i] < oldest_s ? kYes : kNo;
-  if (std::count(away.begin(), away.end(), int{kYes}) == 0) return;
+  hasBlindSide_ = std::count(away.begin(), away.end(), int{kYes}) > 0;
+  if (!hasBlindSide_) return;
   const auto offset = static_cast<float>(-mapFromRobot_.phi * ScanView::kDirections / (2.0 * M_PI));
   for (int y = 0; y < possible_.height(); ++y) {
     polarRow(static_cast<float>(possible_.idx2x(0) - mapFromRobot_.x),

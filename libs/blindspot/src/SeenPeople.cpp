@@ -48,7 +48,9 @@ SeenPeople::Verdict SeenPeople::verdictOf(const Thing& thing, double stamp_s, co
   if (thing.isLow.value_or(false)) return Verdict::Obstacle;
   if (thing.width_m > parameters_.widest_m && !thing.isBesideWalker) return Verdict::Obstacle;
   Track* known = trackOf(thing, stamp_s, personSpeed_mps);
-  if (!known && thing.width_m < parameters_.narrowest_m &&
+  // Of what is covered, a strip may be all that is in view yet.
+  const bool isPart = thing.isCovered && place.hasBlindSide;
+  if (!known && !isPart && thing.width_m < parameters_.narrowest_m &&
       !mayHaveCome(thing, stamp_s, place, personSpeed_mps))
     return Verdict::Obstacle;
   Track& track = known ? *known : newTrack(thing, stamp_s);
@@ -98,7 +100,8 @@ void SeenPeople::findMovers(double stamp_s) {
     if (walks && hasMoved)
       track.gait =
           track.velocity * std::max(1.0, kGaitKept * track.gait.norm() / track.velocity.norm());
-    if (walks && hasMoved && track.width_m >= parameters_.narrowest_m) track.walked_s = stamp_s;
+    if (walks && hasMoved && track.width_m >= parameters_.narrowest_m)
+      track.walked_s = track.lastSeen_s;
     const double unseen_s = stamp_s - track.lastSeen_s;
     const TPoint2D now = track.position + track.velocity * unseen_s;
     if (track.walked_s && stamp_s - *track.walked_s <= kForget_s) walkers_.push_back(now);

@@ -20,7 +20,8 @@ std::uint8_t topOf(const PlanarScan& scan, std::size_t beam) {
                                   static_cast<double>(scan.top_m[beam]) / kTopUnit_m, 0.0, 255.0));
 }
 
-/** Whether a cell or one of its eight neighbours is lethal. */
+/** Whether a cell or one of its eight neighbours is lethal: a laser and a camera meet the same
+ * thing a cell apart. */
 bool isMarked(const CostGrid& grid, int x, int y) {
   const CellWindow near = CellWindow{x - 1, y - 1, x + 2, y + 2}.intersected(grid.bounds());
   for (int row = near.y0; row < near.y1; ++row)

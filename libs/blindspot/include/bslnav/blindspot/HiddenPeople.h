@@ -9,7 +9,6 @@
 #include <bslnav/costmap/StaticLayer.h>
 #include <mrpt/math/TPose2D.h>
 
-#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -58,8 +57,9 @@ class HiddenPeople {
 
   /** Takes in what was seen, and lets people walk on; without scans nothing changes. Obstacles are
    * forgotten where a laser sees past them; cameras, which look over low ones, tell that only where
-   * no laser looks.
-   *  @param lasers, cameras PersonVisibility's, in the robot frame of `mapFromRobot`
+   * no laser does.
+   *  @param lasers in the robot frame of `mapFromRobot`
+   *  @param cameras PersonVisibility's, likewise
    *  @param stamp_s when the oldest of them was taken; the state is that of this time
    *  @param personSpeed_mps how fast people walk at most */
   void look(const Scans& lasers, const Scans& cameras, double stamp_s,
@@ -72,6 +72,9 @@ class HiddenPeople {
 
   /** The outermost possible cells towards the robot, map frame. */
   const Frontier& frontier() const { return frontier_; }
+  /** Whether people may come into view from where no sensor looks, though they are not possible
+   * there. */
+  bool hasBlindSide() const { return hasBlindSide_; }
   /** The time that the state is of. */
   double stamp_s() const { return stamp_s_; }
   /** Whether all directions behind the robot were looked at, within the look memory. */
@@ -87,8 +90,8 @@ class HiddenPeople {
 
  private:
   void recentre();
-  void takeIn(const PlanarScan& scan);
-  bool laserLooksAt(const mrpt::math::TPoint2D& point) const;
+  void takeIn(const ScanView& view);
+  bool isUpToLasers(const mrpt::math::TPoint2D& point) const;
   void cutOut(const ScanView& view);
   void noteLooks(const ScanView& view);
   void markSurfaces(const ScanView& view);
@@ -112,10 +115,10 @@ class HiddenPeople {
   std::vector<int> directions_;  // of the cells of a row
   std::vector<float> squared_;   // their squared distances
   std::vector<double> lookedAt_s_;
-  std::array<bool, ScanView::kDirections> laserLooks_{};  // now
+  std::vector<ScanView> laserViews_;  // now
   mrpt::math::TPose2D mapFromRobot_;
   double stamp_s_ = 0.0, owed_m_ = 0.0;  // growth that is still owed
-  bool started_ = false, square_ = false;
+  bool started_ = false, square_ = false, hasBlindSide_ = false;
   Frontier frontier_;
 };
 

@@ -27,9 +27,10 @@ class SeenThings {
 
   /** What is known of the same place besides. */
   struct Place {
-    const CostGrid& mapped;    ///< 255: a hit there is the map's
-    StandingThings& standing;  ///< the obstacles that were found, and gets those that are
-    const BitGrid& reached;    ///< where somebody unseen can have got to by now; cells of `mapped`
+    const CostGrid& mapped;     ///< 255: a hit there is the map's
+    StandingThings& standing;   ///< the obstacles that were found, and gets those that are
+    const BitGrid& reached;     ///< where somebody unseen can have got to by now; cells of `mapped`
+    bool hasBlindSide = false;  ///< and from where no sensor looks
 
     /** Whether that is within a distance of a point, on a square. */
     bool isReached(const mrpt::math::TPoint2D& p, double distance_m) const;
@@ -63,7 +64,7 @@ class SeenThings {
     mrpt::math::TPoint2D at;
     double height_m;
     bool isWhole;  // the view there reaches above the lowest people
-    bool isEdge;   // beside it the view goes on past it: only a part of the height may be met
+    bool isEdge;   // a neighbouring beam does not meet the same: maybe not all its height is met
   };
 
   void findThings(const PlanarScan& scan, const mrpt::math::TPose2D& mapFromRobot,

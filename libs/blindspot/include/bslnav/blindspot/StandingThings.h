@@ -16,7 +16,7 @@ class StandingThings {
 
   /** Forgets what stood where it is seen to be empty now, and all around it, too.
    *  @param empty 255 where nothing stands; the same place as in follow()
-   *  @param isAsked whether that tells of a point, map frame */
+   *  @param isAsked whether `empty` counts for a point, map frame; null: everywhere */
   void forget(const CostGrid& empty,
               const std::function<bool(const mrpt::math::TPoint2D&)>& isAsked = nullptr);
 
