@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace bslnav {
 namespace {
@@ -163,18 +164,15 @@ void SeenThings::findStraight(std::size_t first, std::size_t last) {
 }
 
 void SeenThings::addThing(std::size_t first, std::size_t end, std::size_t others, bool isCovered) {
-  TPoint2D sum;
-  for (std::size_t i = first; i < end; ++i) sum += points_[i];
-  const auto begin = points_.begin();
-  const double width =
-      widthOf(begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(end));
+  const auto from = points_.begin() + static_cast<std::ptrdiff_t>(first);
+  const auto to = points_.begin() + static_cast<std::ptrdiff_t>(end);
   const auto count = end - first;
-  const auto from = begin + static_cast<std::ptrdiff_t>(first);
-  const bool beside = std::any_of(from, from + static_cast<std::ptrdiff_t>(count),
-                                  [this](const TPoint2D& p) { return isBesideWalker(p); });
-  Thing thing{first,        count,       sum * (1.0 / static_cast<double>(count)),
-              width,        isCovered,   beside,
-              std::nullopt, std::nullopt};
+  const TPoint2D middle =
+      std::accumulate(from, to, TPoint2D()) * (1.0 / static_cast<double>(count));
+  const bool beside =
+      std::any_of(from, to, [this](const TPoint2D& p) { return isBesideWalker(p); });
+  Thing thing{first,     count,  middle,       widthOf(from, to),
+              isCovered, beside, std::nullopt, std::nullopt};
   thing.another = findAnother(thing, others);
   things_.push_back(thing);
 }

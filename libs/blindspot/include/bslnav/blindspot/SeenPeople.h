@@ -29,11 +29,11 @@ struct Track {
  *
  * A thing as wide as a person may walk off at any time, and so may one that something nearer covers
  * in part. What is narrower is an obstacle once it has stood still for a while. Where nobody can
- * have got to unseen, what is seen of a thing is one at once if it is narrower, covered or not.
- * What is wider or straight is one at once, as walls are without a map, and so is what depth
- * cameras see whole and lower than people. The places of obstacles are remembered until they are
- * seen to be empty, and hits there are explained; what is new beside them is told anew. Things are
- * joined to tracks by nearness, and velocities are smoothed. */
+ * have got to unseen it is one at once, and so is a narrow part of what is covered, if all sides
+ * are looked at. What is wider or straight is one at once, as walls are without a map, and so is
+ * what depth cameras see whole and lower than people. The places of obstacles are remembered until
+ * they are seen to be empty, and hits there are explained; what is new beside them is told anew.
+ * Things are joined to tracks by nearness, and velocities are smoothed. */
 class SeenPeople {
  public:
   using Views = SeenThings::Views;
