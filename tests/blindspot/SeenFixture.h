@@ -32,8 +32,8 @@ inline CostGrid freeMap() { return CostGrid(160, 160, 0.05, -4.0, -4.0, 0); }
 /** SeenPeople in a place whose map is this. */
 class Seen {
  public:
-  explicit Seen(const CostGrid& mapped = freeMap())
-      : mapped_(mapped), reached_(mapped.width(), mapped.height()) {
+  explicit Seen(const CostGrid& mapped = freeMap(), const CostGrid& walls = freeMap())
+      : mapped_(mapped), walls_(walls), reached_(mapped.width(), mapped.height()) {
     standing_.follow(mapped);
     reached_.invert();  // from anywhere
   }
@@ -48,7 +48,8 @@ class Seen {
   void haveBlindSide() { hasBlindSide_ = true; }
 
   void update(const SeenPeople::Views& views, double stamp_s) {
-    people_.update(views, stamp_s, {}, {mapped_, standing_, reached_, hasBlindSide_}, kWalk_mps);
+    people_.update(views, stamp_s, {}, {mapped_, walls_, standing_, reached_, hasBlindSide_},
+                   kWalk_mps);
   }
   const Frontier& frontier() const { return people_.frontier(); }
   const Movers& movers() const { return people_.movers(); }
@@ -56,7 +57,7 @@ class Seen {
   const std::vector<Track>& tracks() const { return people_.tracks(); }
 
  private:
-  CostGrid mapped_;
+  CostGrid mapped_, walls_;
   StandingThings standing_;
   BitGrid reached_;
   bool hasBlindSide_ = false;

@@ -80,6 +80,24 @@ TEST(SeenObstacles, WhatIsNarrowWhereNobodyCanHaveComeIsAnObstacleAtOnce) {
   EXPECT_FALSE(wide.frontier().empty());
 }
 
+/** Whoever is in the next room is not at a pole on this side of the wall, as long as nobody unseen
+ * is in the door. */
+TEST(SeenObstacles, WhoeverIsBehindAWallHasNotComeThroughIt) {
+  const PlanarScan pole = discAt(1.0, 0.2, 0.05);
+  CostGrid wall = freeMap();  // at x = 1.1 m, with a door from y = -0.2 m to the right
+  for (int y = wall.cellY(-0.2); y < wall.height(); ++y) wall.at(wall.cellX(1.1), y) = 255;
+  const auto isSomebody = [&](double x_m, double y_m) {
+    Seen people(freeMap(), wall);
+    people.reachedOnlyAt(x_m, y_m);
+    people.update({{&pole}, {}, {}}, 0.0);
+    return !people.frontier().empty();
+  };
+  EXPECT_FALSE(isSomebody(1.2, 0.2));
+  EXPECT_TRUE(isSomebody(1.0, 0.4));
+  EXPECT_TRUE(isSomebody(1.0, -0.1));
+  EXPECT_FALSE(isSomebody(1.2, -0.1));
+}
+
 /** A strip of something beside a nearer pole: a person goes on behind that, or past the view. */
 TEST(SeenObstacles, WhatIsCoveredIsOneWhereNobodyCanBeBehindIt) {
   const PlanarScan scan = nearerOf(discAt(2.0, 0.3, 0.15), discAt(1.0, 0.08, 0.05));

@@ -4,6 +4,7 @@
 
 #include "../support/DepthScene.h"
 #include "../support/HeapUse.h"
+#include "NavigationCycleRig.h"
 
 namespace bslnav {
 namespace {
@@ -113,6 +114,30 @@ TEST_F(NavigationCycleDepth, StopsAndSaysWhyWhenImagesAreNoUse) {
                                                  testing::HasSubstr(why)));
     EXPECT_LT(record.motion.command.vx, 0.5);
   }
+}
+
+/** 0.3 m before a wall every depth is below the camera's least, and that is no defect. */
+TEST_F(NavigationCycleDepth, ACameraThatIsTooNearToAWallIsNotBroken) {
+  auto blind = corner_;
+  blind.rangeImage.fill(0);
+  const auto wallAhead = [](double wall_m) {
+    return [wall_m](int deg) {
+      return std::abs(deg) < 60 ? wall_m / std::cos(deg * M_PI / 180.0) : 0.0;
+    };
+  };
+  const auto step = [&](const CObservation3DRangeScan& image, double time_s, double wall_m) {
+    SensorFrame frame = frameAt(time_s, 0.3 - wall_m);
+    frame.scans = {test::makeScan(time_s, wallAhead(wall_m))};
+    frame.depth = {taken(image, time_s)};
+    return cycle_.step(frame);
+  };
+  ASSERT_EQ(step(corner_, 0.0, 0.3).health, Health::Ok);
+  for (int i = 1; i < 12; ++i) {
+    const CycleRecord record = step(blind, 0.1 * i, 0.3);
+    ASSERT_EQ(record.health, Health::Ok) << i;
+    EXPECT_EQ(record.droppedDepthFrames, 1);
+  }
+  EXPECT_EQ(step(blind, 1.8, 0.9).health, Health::StaleSensor);
 }
 
 TEST_F(NavigationCycleDepth, AnUnusableSecondImageLeavesTheFirst) {

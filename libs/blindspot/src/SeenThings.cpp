@@ -54,7 +54,21 @@ bool SeenThings::Place::isReached(const TPoint2D& p, double distance_m) const {
   const CellWindow near = CellWindow{x, y, x + 1, y + 1}.grown(reach).intersected(mapped.bounds());
   for (int row = near.y0; row < near.y1; ++row)
     for (int column = near.x0; column < near.x1; ++column)
-      if (reached.at(column, row)) return true;
+      if (reached.at(column, row) && !isBehindWall(x, y, column, row)) return true;
+  return false;
+}
+
+bool SeenThings::Place::isBehindWall(int fromX, int fromY, int toX, int toY) const {
+  const int dx = toX - fromX, dy = toY - fromY;
+  const int steps = std::max(std::abs(dx), std::abs(dy));
+  bool inFirst = true;
+  for (int k = 0; k < steps; ++k) {
+    const int x = fromX + static_cast<int>(std::lround(static_cast<double>(k * dx) / steps));
+    const int y = fromY + static_cast<int>(std::lround(static_cast<double>(k * dy) / steps));
+    const bool isWall = walls.bounds().contains(x, y) && walls.at(x, y) != 0;
+    if (isWall && !inFirst) return true;
+    inFirst = inFirst && isWall;
+  }
   return false;
 }
 

@@ -18,6 +18,9 @@ void BlindSpotParameters::describe(ConfigSection& section) {
 
 void DepthParameters::describe(ConfigSection& section) {
   section.flag("enabled", enabled, "whether depth cameras are used: Methods 3 and 4");
+  section.number("blind_within_m", blindWithin_m, kNonNegative, "m",
+                 "a camera that looks at a known obstacle nearer than this may see no depth at all "
+                 "without being taken for broken");
   obstacles.describe(section);
 }
 

@@ -18,7 +18,8 @@ void People::update(const Views& views, double stamp_s, const mrpt::math::TPose2
   if (views_.lasers.empty() && views_.cameras.empty()) return;
   hidden_.look(views_.lasers, views_.cameras, stamp_s, mapFromRobot, personSpeed_mps);
   seen_.update(views_, stamp_s, mapFromRobot,
-               {hidden_.mapped(), hidden_.standing(), hidden_.reached(), hidden_.hasBlindSide()},
+               {hidden_.mapped(), hidden_.walls(), hidden_.standing(), hidden_.reached(),
+                hidden_.hasBlindSide()},
                personSpeed_mps);
   hidden_.findFrontier(seen_.bodies());
   frontier_.assign(hidden_.frontier().begin(), hidden_.frontier().end());

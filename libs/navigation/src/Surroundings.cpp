@@ -111,23 +111,42 @@ bool Surroundings::takeOverScans(const SensorFrame& frame, CycleRecord& record) 
   return blind;
 }
 
-/** A camera whose images say nothing usable is not heard, and so becomes stale. */
+/** A camera whose images say nothing usable is not heard, and so becomes stale; unless it is too
+ * near to what it looks at. */
 void Surroundings::takeOverDepth(const SensorFrame& frame, CycleRecord& record) {
   record.depthFrames = record.droppedDepthFrames = 0;
   depthCameras_.beginCycle();
   if (!parameters_.depth.enabled) return;
   for (const auto& image : frame.depth) {
     const double stamp_s = mrpt::Clock::toDouble(image->timestamp) - frame.startTime_s;
-    const DepthFrame& taken = depthCameras_.add(image, stamp_s, motion_);
+    const DepthFrame& read = depthCameras_.read(*image, stamp_s, motion_);
     ++record.depthFrames;
-    if (taken.status() == DepthFrame::Status::Ok) {
+    const bool sees = read.status() == DepthFrame::Status::Ok;
+    if (!sees) ++record.droppedDepthFrames;
+    if (sees || isAtObstacle(read, frame.mapFromRobot)) {
+      depthCameras_.takeIn(image, stamp_s);
       sensors_.heard(SensorKind::Camera, image->sensorLabel, stamp_s, frame.time_s);
       continue;
     }
-    ++record.droppedDepthFrames;
-    record.sensorProblem = "depth camera '" + image->sensorLabel + "': " + describe(taken);
+    record.sensorProblem = "depth camera '" + image->sensorLabel + "': " + describe(read);
     sensors_.refused(SensorKind::Camera, image->sensorLabel, record.sensorProblem);
   }
+}
+
+/** Whether a camera sees no depth, and an obstacle is known to be so near before it. */
+bool Surroundings::isAtObstacle(const DepthFrame& frame,
+                                const mrpt::math::TPose2D& mapFromRobot) const {
+  if (frame.status() != DepthFrame::Status::NoDepth || !isFinite(mapFromRobot)) return false;
+  const CostGrid& costs = local_.costsWithoutBlindSpots();
+  const double step_m = 0.5 * costs.getResolution();
+  const double c = std::cos(frame.yaw_rad()), s = std::sin(frame.yaw_rad());
+  for (double r = 0.0; r < parameters_.depth.blindWithin_m; r += step_m) {
+    const auto p = mapFromRobot.composePoint(
+        mrpt::math::TPoint2D{static_cast<double>(frame.origin().x) + r * c,
+                             static_cast<double>(frame.origin().y) + r * s});
+    if (costs.costAt(p.x, p.y) == kLethalCost) return true;
+  }
+  return false;
 }
 
 void Surroundings::resizeScans(std::size_t count) {

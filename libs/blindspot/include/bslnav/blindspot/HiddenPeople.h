@@ -85,6 +85,8 @@ class HiddenPeople {
   const BitGrid& reached() const { return reachedBits_; }
   /** 255 where a hit is the map's: near its occupied cells; else 0. */
   const CostGrid& mapped() const { return mapped_; }
+  /** 255 where the map is occupied; else 0. */
+  const CostGrid& walls() const { return solid_; }
   /** The obstacles that keep people from walking, where they are not in the map. */
   StandingThings& standing() { return standing_; }
 

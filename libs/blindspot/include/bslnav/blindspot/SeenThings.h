@@ -28,12 +28,16 @@ class SeenThings {
   /** What is known of the same place besides. */
   struct Place {
     const CostGrid& mapped;     ///< 255: a hit there is the map's
+    const CostGrid& walls;      ///< 255: solid in the map; cells of `mapped`
     StandingThings& standing;   ///< the obstacles that were found, and gets those that are
     const BitGrid& reached;     ///< where somebody unseen can have got to by now; cells of `mapped`
     bool hasBlindSide = false;  ///< and from where no sensor looks
 
-    /** Whether that is within a distance of a point, on a square. */
+    /** Whether that is within a distance of a point, on a square, and not behind a wall. */
     bool isReached(const mrpt::math::TPoint2D& p, double distance_m) const;
+    /** Whether a wall is between two cells. One in which the first is does not count: a hit on what
+     * touches it may be there. */
+    bool isBehindWall(int fromX, int fromY, int toX, int toY) const;
   };
 
   struct Thing {

@@ -40,6 +40,7 @@ struct BlindSpotParameters {
 /** Whether depth cameras count, and which of their points are obstacles. */
 struct DepthParameters {
   bool enabled = false;
+  double blindWithin_m = 0.5;  ///< nearer to an obstacle, a camera may see nothing of it
   DepthScanParameters obstacles;
 
   void describe(ConfigSection& section);
