@@ -2,15 +2,15 @@
 
 #include <bslnav/blindspot/BitGrid.h>
 #include <bslnav/blindspot/Frontier.h>
+#include <bslnav/blindspot/MapAround.h>
 #include <bslnav/blindspot/ScanView.h>
+#include <bslnav/blindspot/SeenArea.h>
 #include <bslnav/blindspot/StandingThings.h>
 #include <bslnav/config/ConfigSection.h>
 #include <bslnav/costmap/CostGrid.h>
-#include <bslnav/costmap/StaticLayer.h>
 #include <mrpt/math/TPose2D.h>
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace bslnav {
@@ -78,45 +78,36 @@ class HiddenPeople {
   /** The time that the state is of. */
   double stamp_s() const { return stamp_s_; }
   /** Whether all directions behind the robot were looked at, within the look memory. */
-  bool looksBehind() const;
+  bool looksBehind() const { return seen_.looksBehind(parameters_.lookMemory_s); }
   /** 255 where somebody may be, in the bodies of those who are seen, too; else 0. */
   const CostGrid& possible() const { return possible_; }
   /** Where somebody unseen can have got to by now, before what is seen now. */
   const BitGrid& reached() const { return reachedBits_; }
   /** 255 where a hit is the map's: near its occupied cells; else 0. */
-  const CostGrid& mapped() const { return mapped_; }
+  const CostGrid& mapped() const { return map_.mapped(); }
   /** 255 where the map is occupied; else 0. */
-  const CostGrid& walls() const { return solid_; }
+  const CostGrid& walls() const { return map_.walls(); }
   /** The obstacles that keep people from walking, where they are not in the map. */
   StandingThings& standing() { return standing_; }
 
  private:
-  void recentre();
-  void takeIn(const ScanView& view);
+  void lookWith(const Scans& lasers, const Scans& cameras);
   bool isUpToLasers(const mrpt::math::TPoint2D& point) const;
-  void cutOut(const ScanView& view);
-  void noteLooks(const ScanView& view);
-  void markSurfaces(const ScanView& view);
   void grow(double distance_m);
-  void forgetOutsideView();
-  void takeRoom(const mrpt::math::TPoint2D& centre, double radius_m);
   void takeBodies(const std::vector<mrpt::math::TPoint2D>& bodies);
-  CellWindow cellsAround(const mrpt::math::TPoint2D& centre, double radius_m) const;
   void keepWhereSomebodyFits();
   void floodFromRobot();
 
   HiddenPeopleParameters parameters_;
   double bodyRadius_m_;
-  std::optional<StaticLayer> static_;
-  CostGrid possible_, seen_, surface_, solid_, mapped_;
+  MapAround map_;
+  SeenArea seen_;
+  CostGrid possible_;
   StandingThings standing_;
   BitGrid possibleBits_, blockedBits_, workBits_;  // blocked: by walls and obstacles
-  BitGrid solidBits_, reachedBits_;
+  BitGrid reachedBits_;
   int personRadius_cells_;
   ScanView view_;
-  std::vector<int> directions_;  // of the cells of a row
-  std::vector<float> squared_;   // their squared distances
-  std::vector<double> lookedAt_s_;
   std::vector<ScanView> laserViews_;  // now
   mrpt::math::TPose2D mapFromRobot_;
   double stamp_s_ = 0.0, owed_m_ = 0.0;  // growth that is still owed

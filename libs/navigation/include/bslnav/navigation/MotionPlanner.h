@@ -1,30 +1,15 @@
 #pragma once
 
+#include <bslnav/navigation/Maneuvers.h>
+#include <bslnav/navigation/Motion.h>
 #include <bslnav/navigation/Recovery.h>
-#include <bslnav/planning/FootprintCover.h>
 #include <bslnav/planning/LocalPlanner.h>
 #include <bslnav/planning/RobotLimits.h>
 
 #include <memory>
-#include <string>
 #include <vector>
 
 namespace bslnav {
-
-/** How the robot is being moved. */
-enum class MotionMode : std::uint8_t {
-  Idle,
-  Follow,
-  RotateToPath,
-  StopAtGoal,
-  RotateToGoal,
-  BackOff,
-  MakeWay,
-  Arrived,
-  Failed
-};
-/** The word for a mode in records and tables. */
-const char* nameOf(MotionMode mode);
 
 struct MotionParameters {
   double lookahead_m = 3.0;  ///< the local goal lies this far ahead on the path
@@ -37,15 +22,6 @@ struct MotionParameters {
   void describe(ConfigSection& section);
 };
 
-/** What the robot is to do in one cycle, and what was considered. */
-struct Motion {
-  MotionMode mode = MotionMode::Idle;
-  mrpt::math::TTwist2D command;    ///< within the limits
-  bool blocked = false;            ///< no admissible candidate, or no room to turn
-  bool planned = false;            ///< whether `dwa` belongs to this cycle
-  mrpt::math::TPoint2D localGoal;  ///< map frame
-};
-
 /** Moves along a path to a goal: a local planner, with what it cannot do by itself (turning on the
  * spot to the path and to the final heading, stopping at the goal, recovery). */
 class MotionPlanner {
@@ -54,20 +30,7 @@ class MotionPlanner {
                 std::unique_ptr<LocalPlanner> planner, const RobotLimits& limits,
                 const FootprintCover& footprint, double controlPeriod_s);
 
-  struct Input {
-    double time_s;
-    mrpt::math::TPose2D mapFromRobot;
-    mrpt::math::TTwist2D twist;                     ///< measured
-    mrpt::math::TTwist2D commandBase;               ///< what the next command starts from
-    const std::vector<mrpt::math::TPoint2D>& path;  ///< empty: none was found
-    mrpt::math::TPose2D goal;      ///< where the path leads; its heading is taken up on arrival
-    double passWithin_m = 0.0;     ///< above 0: a waypoint, passed this near without stopping
-    const Guard* guard = nullptr;  ///< what it refuses is no candidate
-    const MoverForecast* movers = nullptr;  ///< whom not to be in the way of
-    bool looksBehind = false;               ///< whether it may drive back for them
-  };
-
-  Motion step(const Input& input, const CostGrid& costs);
+  Motion step(const MotionInput& input, const CostGrid& costs);
 
   /** Whether recovery wants a new path; true for one cycle. */
   bool wantsReplan() const { return recoveryStep_ == Recovery::Step::Replan; }
@@ -79,22 +42,17 @@ class MotionPlanner {
   void forgetProgress() { recovery_.reset(); }
 
  private:
-  Motion follow(const Input& input, const CostGrid& costs);
-  Motion plan(const Input& input, const CostGrid& costs);
-  double creepSpeed_mps(double turn_radps, const Input& input) const;
-  Motion creep(const Input& input, const CostGrid& costs);
-  void makeWay(const Input& input, const CostGrid& costs, Motion& motion) const;
-  Motion rotate(MotionMode mode, double error_rad, const Input& input, const CostGrid& costs);
-  Motion backOff(const Input& input, const CostGrid& costs);
-  Motion arrive(const Input& input, const CostGrid& costs);
-  bool roomToTurn(double angle_rad, const Input& input, const CostGrid& costs) const;
-  bool isFree(double forward_m, double left_rad, const Input& input, const CostGrid& costs) const;
+  Motion follow(const MotionInput& input, const CostGrid& costs);
+  Motion plan(const MotionInput& input, const CostGrid& costs);
+  Motion creep(const MotionInput& input, const CostGrid& costs);
+  Motion backOff(const MotionInput& input, const CostGrid& costs);
+  Motion arrive(const MotionInput& input, const CostGrid& costs);
 
   MotionParameters parameters_;
   RecoveryParameters recoveryParameters_;
   RobotLimits limits_;
-  FootprintCover footprint_;
   double controlPeriod_s_;
+  Maneuvers maneuvers_;
   std::unique_ptr<LocalPlanner> planner_;
   Recovery recovery_;
   Recovery::Step recoveryStep_ = Recovery::Step::None;
