@@ -24,6 +24,7 @@ void SeenPeople::update(const Views& views, double stamp_s, const mrpt::math::TP
   seen_.find(views, mapFromRobot, place, walkers_);
   frontier_.clear();
   bodies_.clear();
+  people_.clear();
   verdicts_.clear();
   obstacles_ = seen_.obstacles();
   for (const Thing& thing : seen_.things()) {
@@ -73,8 +74,9 @@ void SeenPeople::note(const Thing& thing, Verdict verdict, const TPoint2D& robot
       obstacles_.push_back(p);
     if ((p - robot).sqrNorm() < (seen_.points()[nearest] - robot).sqrNorm()) nearest = i;
   }
-  const bool isWhole = !thing.isCovered && !isNarrow(thing);
-  if (verdict != Verdict::Obstacle && isWhole) bodies_.push_back(seen_.points()[nearest]);
+  if (verdict == Verdict::Obstacle || isNarrow(thing)) return;
+  people_.push_back(seen_.points()[nearest]);
+  if (!thing.isCovered) bodies_.push_back(seen_.points()[nearest]);
 }
 
 /** Whether it is near where somebody unseen can have got to by now, or to whom was seen before.

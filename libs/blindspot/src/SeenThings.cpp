@@ -9,8 +9,9 @@ namespace {
 
 using mrpt::math::TPoint2D;
 
-constexpr double kBeside_m = 0.65;  // so far from a hit somebody who is hidden matters for it
-constexpr double kWalker_m = 0.6;   // so near to the middle of a walker are two abreast, and a step
+constexpr double kBeside_m = 0.65;   // so far from a hit somebody who is hidden matters for it
+constexpr double kObstacle_m = 0.4;  // so near to one are its other sides
+constexpr double kWalker_m = 0.6;  // so near to the middle of a walker are two abreast, and a step
 constexpr float kSameSurface_m = 0.15f;  // neighbouring beams of a surface differ by no more
 constexpr double kStraight_m = 0.03;     // hits of something straight lie so near to a line
 
@@ -52,19 +53,22 @@ bool SeenThings::Place::isReached(const TPoint2D& p, double distance_m) const {
   const int reach = static_cast<int>(std::ceil(distance_m / mapped.getResolution()));
   const int x = mapped.cellX(p.x), y = mapped.cellY(p.y);
   const CellWindow near = CellWindow{x, y, x + 1, y + 1}.grown(reach).intersected(mapped.bounds());
+  const bool throughWalls = !standing.isNear(p, kObstacle_m);
   for (int row = near.y0; row < near.y1; ++row)
     for (int column = near.x0; column < near.x1; ++column)
-      if (reached.at(column, row) && !isBehindWall(x, y, column, row)) return true;
+      if (reached.at(column, row) && (throughWalls || !isBehindWall(x, y, column, row)))
+        return true;
   return false;
 }
 
 bool SeenThings::Place::isBehindWall(int fromX, int fromY, int toX, int toY) const {
-  const int dx = toX - fromX, dy = toY - fromY;
-  const int steps = std::max(std::abs(dx), std::abs(dy));
+  const int steps = std::max(std::abs(toX - fromX), std::abs(toY - fromY));
+  const float dx = static_cast<float>(toX - fromX) / static_cast<float>(steps);
+  const float dy = static_cast<float>(toY - fromY) / static_cast<float>(steps);
   bool inFirst = true;
   for (int k = 0; k < steps; ++k) {
-    const int x = fromX + static_cast<int>(std::lround(static_cast<double>(k * dx) / steps));
-    const int y = fromY + static_cast<int>(std::lround(static_cast<double>(k * dy) / steps));
+    const int x = fromX + static_cast<int>(std::lrint(static_cast<float>(k) * dx));
+    const int y = fromY + static_cast<int>(std::lrint(static_cast<float>(k) * dy));
     const bool isWall = walls.bounds().contains(x, y) && walls.at(x, y) != 0;
     if (isWall && !inFirst) return true;
     inFirst = inFirst && isWall;

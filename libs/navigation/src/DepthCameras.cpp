@@ -16,19 +16,16 @@ DepthCameras::Camera& DepthCameras::cameraOf(const std::string& label) {
   return cameras_.back();
 }
 
-const DepthFrame& DepthCameras::read(const mrpt::obs::CObservation3DRangeScan& image,
-                                     double stamp_s, const MotionHistory& motion) {
-  incoming_.assign(image, motion.nowFromThen(stamp_s));
-  return incoming_;
-}
-
-void DepthCameras::takeIn(const mrpt::obs::CObservation3DRangeScan::ConstPtr& image,
-                          double stamp_s) {
+const DepthFrame& DepthCameras::add(const mrpt::obs::CObservation3DRangeScan::ConstPtr& image,
+                                    double stamp_s, const MotionHistory& motion) {
   Camera& camera = cameraOf(image->sensorLabel);
+  incoming_.assign(*image, motion.nowFromThen(stamp_s));
+  if (incoming_.status() != DepthFrame::Status::Ok) return incoming_;
   std::swap(incoming_, camera.frame);
   camera.image = image;
   camera.stamp_s = stamp_s;
   camera.isNew = true;
+  return camera.frame;
 }
 
 const std::vector<const DepthFrame*>& DepthCameras::framesSince(double time_s,

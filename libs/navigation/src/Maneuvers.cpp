@@ -60,9 +60,9 @@ double Maneuvers::creepSpeed_mps(double turn_radps, const MotionInput& input) co
   return creep;
 }
 
-void Maneuvers::makeWay(double least, const MotionInput& input, const CostGrid& costs,
-                        Motion& motion) const {
-  if (!input.looksBehind || input.twist.vx > kBackingFrom_mps) return;
+std::optional<Motion> Maneuvers::makeWay(double least, const MotionInput& input,
+                                         const CostGrid& costs) const {
+  if (!input.looksBehind || input.twist.vx > kBackingFrom_mps) return std::nullopt;
   TTwist2D wanted;
   for (const double speed : {0.1, 0.2, 0.3}) {
     const TTwist2D back{-std::min(speed, limits_.maxSpeed_mps), 0.0, 0.0};
@@ -72,10 +72,11 @@ void Maneuvers::makeWay(double least, const MotionInput& input, const CostGrid& 
     wanted = back;
     least = cost;
   }
-  if (wanted.vx == 0.0) return;
+  if (wanted.vx == 0.0) return std::nullopt;
+  Motion motion;
   motion.mode = MotionMode::MakeWay;
-  motion.blocked = false;
   motion.command = limited(wanted, input.commandBase, limits_, controlPeriod_s_);
+  return motion;
 }
 
 double Maneuvers::wayOff(const MotionInput& input, const CostGrid& costs) const {

@@ -135,11 +135,18 @@ Motion MotionPlanner::follow(const MotionInput& input, const CostGrid& costs) {
   }
   if (creeps) return creep(input, costs);
   motion = plan(input, costs);
-  if (inTheWay) {
-    const double planned = dwa_->best < 0 ? input.movers->cost({}) : best(*dwa_).terms.movers;
-    maneuvers_.makeWay(planned, input, costs, motion);
-  }
-  return motion;
+  return inTheWay ? makeWay(input, costs, motion) : motion;
+}
+
+/** Out of the way of people who walk, or as planned if nothing is better. */
+Motion MotionPlanner::makeWay(const MotionInput& input, const CostGrid& costs,
+                              const Motion& planned) const {
+  const double least = dwa_->best < 0 ? input.movers->cost({}) : best(*dwa_).terms.movers;
+  std::optional<Motion> back = maneuvers_.makeWay(least, input, costs);
+  if (!back) return planned;
+  back->planned = true;
+  back->localGoal = planned.localGoal;
+  return *back;
 }
 
 Motion MotionPlanner::plan(const MotionInput& input, const CostGrid& costs) {
@@ -148,9 +155,10 @@ Motion MotionPlanner::plan(const MotionInput& input, const CostGrid& costs) {
   const bool stops = input.passWithin_m == 0.0;
   const bool atEnd = (localGoal - input.path.back()).norm() < 1e-9;
   const double tolerance_m = stops ? parameters_.goalTolerance_m : input.passWithin_m;
-  dwa_ = &planner_->plan({input.mapFromRobot, input.commandBase, input.path, localGoal,
-                          atEnd ? tolerance_m : 0.0, atEnd && stops, input.guard, input.movers},
-                         costs);
+  dwa_ = &planner_->plan(
+      {input.mapFromRobot, input.commandBase, input.path, localGoal, atEnd ? tolerance_m : 0.0,
+       atEnd && stops, input.guard, input.movers, input.maxSpeed_mps},
+      costs);
   Motion motion;
   motion.mode = MotionMode::Follow;
   motion.planned = true;

@@ -16,6 +16,10 @@ std::unique_ptr<LocalPlanner> makeLocalPlanner(const NavigationParameters& p,
                                            p.cycle.period_s);
 }
 
+StoppingAbility abilityOf(const NavigationParameters& p) {
+  return stoppingAbility(p.limits, p.guard, p.footprint.circumscribedRadius_m(), p.cycle.period_s);
+}
+
 }  // namespace
 
 NavigationCycle::NavigationCycle(const NavigationParameters& parameters,
@@ -24,11 +28,9 @@ NavigationCycle::NavigationCycle(const NavigationParameters& parameters,
       period_s_(parameters.cycle.period_s),
       surroundings_(parameters, map),
       route_(parameters),
-      movers_(
-          parameters.movers,
-          stoppingAbility(parameters.limits, parameters.guard,
-                          parameters.footprint.circumscribedRadius_m(), parameters.cycle.period_s),
-          parameters.guard),
+      movers_(parameters.movers, abilityOf(parameters), parameters.guard),
+      approach_(parameters.movers, abilityOf(parameters), parameters.guard.personSpeed_mps,
+                parameters.limits.maxSpeed_mps),
       motionPlanner_(parameters.motion, parameters.recovery,
                      makeLocalPlanner(parameters, surroundings_.footprintCover()),
                      parameters.limits, surroundings_.footprintCover(), parameters.cycle.period_s) {
@@ -76,11 +78,16 @@ void NavigationCycle::move(const mrpt::math::TTwist2D& base) {
   const Guard* guard =
       guard_ ? &guard_->begin(record_, people->frontier(), people->stamp_s()) : nullptr;
   if (guard_ && guard_->isWaiting()) motionPlanner_.forgetProgress();
-  if (people) movers_.begin(record_.mapFromRobot, people->movers());
-  record_.motion = motionPlanner_.step(
-      {record_.time_s, record_.mapFromRobot, record_.twist, base, record_.path, route_.goal(),
-       route_.passWithin_m(), guard, people ? &movers_ : nullptr, people && people->looksBehind()},
-      surroundings_.localCosts());
+  MotionInput input{record_.time_s, record_.mapFromRobot, record_.twist,         base,
+                    record_.path,   route_.goal(),        route_.passWithin_m(), guard};
+  if (people) {
+    movers_.begin(record_.mapFromRobot, people->movers());
+    input.movers = &movers_;
+    input.looksBehind = people->looksBehind();
+    input.maxSpeed_mps =
+        approach_.speed_mps({people->seen(), people->movers()}, record_.path, record_.mapFromRobot);
+  }
+  record_.motion = motionPlanner_.step(input, surroundings_.localCosts());
   if (record_.motion.planned) record_.dwa = motionPlanner_.dwa();
   if (guard_) guard_->finish(base, people->frontier(), record_);
 }

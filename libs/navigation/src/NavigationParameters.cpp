@@ -19,8 +19,8 @@ void BlindSpotParameters::describe(ConfigSection& section) {
 void DepthParameters::describe(ConfigSection& section) {
   section.flag("enabled", enabled, "whether depth cameras are used: Methods 3 and 4");
   section.number("blind_within_m", blindWithin_m, kNonNegative, "m",
-                 "a camera that looks at a known obstacle nearer than this may see no depth at all "
-                 "without being taken for broken");
+                 "a camera without any depth is not taken for broken where a laser meets something "
+                 "this near before it, all across its view; from the camera along its axis");
   obstacles.describe(section);
 }
 

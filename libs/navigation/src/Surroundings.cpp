@@ -1,3 +1,4 @@
+#include <bslnav/costmap/CameraCover.h>
 #include <bslnav/costmap/InflationLayer.h>
 #include <bslnav/navigation/Surroundings.h>
 #include <mrpt/core/Clock.h>
@@ -119,34 +120,23 @@ void Surroundings::takeOverDepth(const SensorFrame& frame, CycleRecord& record) 
   if (!parameters_.depth.enabled) return;
   for (const auto& image : frame.depth) {
     const double stamp_s = mrpt::Clock::toDouble(image->timestamp) - frame.startTime_s;
-    const DepthFrame& read = depthCameras_.read(*image, stamp_s, motion_);
+    const DepthFrame& taken = depthCameras_.add(image, stamp_s, motion_);
+    const bool isUsable = taken.status() == DepthFrame::Status::Ok;
     ++record.depthFrames;
-    const bool sees = read.status() == DepthFrame::Status::Ok;
-    if (!sees) ++record.droppedDepthFrames;
-    if (sees || isAtObstacle(read, frame.mapFromRobot)) {
-      depthCameras_.takeIn(image, stamp_s);
+    if (!isUsable) ++record.droppedDepthFrames;
+    if (isUsable || isTooNear(taken)) {
       sensors_.heard(SensorKind::Camera, image->sensorLabel, stamp_s, frame.time_s);
       continue;
     }
-    record.sensorProblem = "depth camera '" + image->sensorLabel + "': " + describe(read);
+    record.sensorProblem = "depth camera '" + image->sensorLabel + "': " + describe(taken);
     sensors_.refused(SensorKind::Camera, image->sensorLabel, record.sensorProblem);
   }
 }
 
-/** Whether a camera sees no depth, and an obstacle is known to be so near before it. */
-bool Surroundings::isAtObstacle(const DepthFrame& frame,
-                                const mrpt::math::TPose2D& mapFromRobot) const {
-  if (frame.status() != DepthFrame::Status::NoDepth || !isFinite(mapFromRobot)) return false;
-  const CostGrid& costs = local_.costsWithoutBlindSpots();
-  const double step_m = 0.5 * costs.getResolution();
-  const double c = std::cos(frame.yaw_rad()), s = std::sin(frame.yaw_rad());
-  for (double r = 0.0; r < parameters_.depth.blindWithin_m; r += step_m) {
-    const auto p = mapFromRobot.composePoint(
-        mrpt::math::TPoint2D{static_cast<double>(frame.origin().x) + r * c,
-                             static_cast<double>(frame.origin().y) + r * s});
-    if (costs.costAt(p.x, p.y) == kLethalCost) return true;
-  }
-  return false;
+/** Whether a camera sees no depth because of what the lasers meet right before it. */
+bool Surroundings::isTooNear(const DepthFrame& frame) const {
+  return frame.status() == DepthFrame::Status::NoDepth &&
+         isViewCovered(frame, scans_, parameters_.depth.blindWithin_m);
 }
 
 void Surroundings::resizeScans(std::size_t count) {

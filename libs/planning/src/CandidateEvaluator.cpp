@@ -36,9 +36,11 @@ double unrest(const Candidate& c, const mrpt::math::TTwist2D& from) {
 }  // namespace
 
 double speedCap(const DwaInput& input, const RobotLimits& limits, double controlPeriod_s) {
-  if (input.goalTolerance_m <= 0.0 || !input.stopsAtGoal) return limits.maxSpeed_mps;
+  const double most_mps = std::min(limits.maxSpeed_mps, input.maxSpeed_mps);
+  if (input.goalTolerance_m <= 0.0 || !input.stopsAtGoal) return most_mps;
   const mrpt::math::TPoint2D robot{input.mapFromRobot.x, input.mapFromRobot.y};
-  return stoppingSpeed((input.goal - robot).norm(), limits.deceleration_mps2, controlPeriod_s);
+  return std::min(most_mps, stoppingSpeed((input.goal - robot).norm(), limits.deceleration_mps2,
+                                          controlPeriod_s));
 }
 
 CandidateEvaluator::CandidateEvaluator(const DwaParameters& parameters, const RobotLimits& limits,

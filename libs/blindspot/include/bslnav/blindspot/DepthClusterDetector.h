@@ -15,7 +15,7 @@ class DepthClusterDetector {
   explicit DepthClusterDetector(const DepthClusterParameters& parameters = {});
 
   /** At most two blind spots, the left one first; valid until the next call.
-   * @param frames of status Ok or NoDepth, in the robot frame of now */
+   * @param frames of status Ok, in the robot frame of now */
   const std::vector<BlindSpot>& detect(const std::vector<const DepthFrame*>& frames);
 
   /** What the last call found on the way: voxels after the pass-through with their clusters... */

@@ -29,8 +29,8 @@ class PersonVisibility {
   explicit PersonVisibility(const PersonVisibilityParameters& parameters = {})
       : parameters_(parameters) {}
 
-  /** @param frame of status Ok or NoDepth. The scan is in its robot frame [m] and valid until the
-   * next call; no allocation while the camera stays the same. */
+  /** @param frame of status Ok. The scan is in its robot frame [m] and valid until the next call;
+   * no allocation while the camera stays the same. */
   const PlanarScan& make(const DepthFrame& frame);
 
  private:

@@ -9,12 +9,12 @@
 namespace bslnav {
 
 /** What the sensors see of the place around the robot in one cycle, as cells: where it is empty,
- * and the surfaces at which the views end. */
+ * and the surfaces at which the views end; and when they last looked in each direction. */
 class SeenArea {
  public:
   SeenArea(double reach_m, double resolution_m);
 
-  /** Forgets what was seen, and moves to where the robot is. */
+  /** Forgets what was seen, but not when it was looked at, and moves to where the robot is. */
   void begin(const mrpt::math::TPose2D& mapFromRobot, double stamp_s);
 
   /** Adds what a sensor sees, from the robot frame of begin().
@@ -44,7 +44,7 @@ class SeenArea {
   CostGrid empty_, surfaces_;
   std::vector<int> directions_;     // of the cells of a row
   std::vector<float> squared_;      // their squared distances
-  std::vector<double> lookedAt_s_;  // each direction, from the robot's heading on
+  std::vector<double> lookedAt_s_;  // each direction, from right behind on
   mrpt::math::TPose2D mapFromRobot_;
   double stamp_s_ = 0.0;
 };

@@ -53,6 +53,8 @@ class SeenPeople {
   const Frontier& frontier() const { return frontier_; }
   /** The nearest point of each who is seen whole, map frame. */
   const std::vector<mrpt::math::TPoint2D>& bodies() const { return bodies_; }
+  /** The same of those, too, whom something covers in part. */
+  const std::vector<mrpt::math::TPoint2D>& people() const { return people_; }
   /** Those who walk, as fast as they are seen to, and those who have just stopped, as fast as they
    * walked: they may walk on. */
   const Movers& movers() const { return movers_; }
@@ -80,7 +82,7 @@ class SeenPeople {
   SeenThings seen_;
   std::vector<Verdict> verdicts_;                // of its things
   std::vector<mrpt::math::TPoint2D> obstacles_;  // seen now, along them
-  std::vector<mrpt::math::TPoint2D> bodies_;
+  std::vector<mrpt::math::TPoint2D> bodies_, people_;
   std::vector<Track> tracks_;
   Frontier frontier_;
   Movers movers_;

@@ -33,10 +33,12 @@ class SeenThings {
     const BitGrid& reached;     ///< where somebody unseen can have got to by now; cells of `mapped`
     bool hasBlindSide = false;  ///< and from where no sensor looks
 
-    /** Whether that is within a distance of a point, on a square, and not behind a wall. */
+    /** Whether `reached` is within a distance of a point, on a square. Near a known obstacle, what
+     * is behind a wall does not count: rather its other side comes into view than somebody through
+     * the wall. Elsewhere the wall may have a door by now. */
     bool isReached(const mrpt::math::TPoint2D& p, double distance_m) const;
-    /** Whether a wall is between two cells. One in which the first is does not count: a hit on what
-     * touches it may be there. */
+    /** Whether a wall is on the line between two cells, besides that of which the first one is
+     * part: a hit may lie in it. */
     bool isBehindWall(int fromX, int fromY, int toX, int toY) const;
   };
 

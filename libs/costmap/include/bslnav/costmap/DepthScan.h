@@ -27,8 +27,8 @@ class DepthScan {
   explicit DepthScan(const DepthScanParameters& parameters = {})
       : parameters_(parameters), beams_(parameters.beamWidth_rad) {}
 
-  /** @param frame of status Ok or NoDepth. The scan is valid until the next call; no allocation
-   * while the camera stays the same. */
+  /** @param frame of status Ok. The scan is valid until the next call; no allocation while the
+   * camera stays the same. */
   const PlanarScan& make(const DepthFrame& frame);
 
  private:

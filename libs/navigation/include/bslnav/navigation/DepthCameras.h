@@ -29,11 +29,10 @@ class DepthCameras {
 
   /** Before the images of a cycle. */
   void beginCycle();
-  /** Reads a new image; valid until it is taken in. */
-  const DepthFrame& read(const mrpt::obs::CObservation3DRangeScan& image, double stamp_s,
-                         const MotionHistory& motion);
-  /** Takes in the image that was read last; without, its camera keeps the one that it had. */
-  void takeIn(const mrpt::obs::CObservation3DRangeScan::ConstPtr& image, double stamp_s);
+  /** Takes in a new image.
+   * @return its status; anything but Ok leaves the camera with the image that it had */
+  const DepthFrame& add(const mrpt::obs::CObservation3DRangeScan::ConstPtr& image, double stamp_s,
+                        const MotionHistory& motion);
 
   /** The images taken since a time, brought to where the robot is now; valid until the next cycle.
    */

@@ -5,10 +5,13 @@
 #include <bslnav/planning/FootprintCover.h>
 #include <bslnav/planning/RobotLimits.h>
 
+#include <optional>
+
 namespace bslnav {
 
 /** The motions that take no local planner: braking, turning on the spot, creeping along the path,
- * backing off from obstacles and out of people's way. Each is tested against the costs first. */
+ * backing off from obstacles and out of people's way. Those that move the robot are tested against
+ * the costs first. */
 class Maneuvers {
  public:
   Maneuvers(const RobotLimits& limits, const FootprintCover& footprint, double controlPeriod_s)
@@ -24,14 +27,16 @@ class Maneuvers {
 
   /** Keeps to the path, at the fastest admissible speed up to Guard::kWorthwhile_mps, and at least
    * creeping: over the way of a few seconds, creeping candidates all but tie, and standing with
-   * them. Blocked where it comes nearer to an obstacle without room. */
+   * them. Blocked where it comes nearer to an obstacle without room.
+   *  @param input with a path and a guard */
   Motion creep(const MotionInput& input, const CostGrid& costs) const;
 
-  /** Drives straight back out of the way of people who walk, where that leaves them more room than
-   * what was planned.
+  /** Drives straight back out of the way of people who walk; nullopt unless that leaves them more
+   * room than what was planned.
    *  @param least c_mov of that
-   *  @param motion what was planned; stays if nothing is better */
-  void makeWay(double least, const MotionInput& input, const CostGrid& costs, Motion& motion) const;
+   *  @param input with movers */
+  std::optional<Motion> makeWay(double least, const MotionInput& input,
+                                const CostGrid& costs) const;
 
   /** Which way to back off: −1 backwards, if that leads away from obstacles, else 1 forwards;
    * never nearer to one than now, unless there is room; 0 where neither can be done. */

@@ -7,6 +7,7 @@
 #include <mrpt/math/TTwist2D.h>
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace bslnav {
@@ -36,8 +37,9 @@ struct MotionInput {
   mrpt::math::TPose2D goal;      ///< where the path leads; its heading is taken up on arrival
   double passWithin_m = 0.0;     ///< above 0: a waypoint, passed this near without stopping
   const Guard* guard = nullptr;  ///< what it refuses is no candidate
-  const MoverForecast* movers = nullptr;  ///< whom not to be in the way of
-  bool looksBehind = false;               ///< whether it may drive back for them
+  const MoverForecast* movers = nullptr;                     ///< whom not to be in the way of
+  bool looksBehind = false;                                  ///< whether it may drive back for them
+  double maxSpeed_mps = std::numeric_limits<double>::max();  ///< not to be exceeded now
 };
 
 /** What the robot is to do in one cycle, and what was considered. */
@@ -45,7 +47,7 @@ struct Motion {
   MotionMode mode = MotionMode::Idle;
   mrpt::math::TTwist2D command;    ///< within the limits
   bool blocked = false;            ///< no admissible candidate, or no room to turn
-  bool planned = false;            ///< whether a local planner chose it
+  bool planned = false;            ///< whether the local planner's result is of this cycle
   mrpt::math::TPoint2D localGoal;  ///< map frame
 };
 

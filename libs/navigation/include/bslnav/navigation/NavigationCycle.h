@@ -2,6 +2,7 @@
 
 #include <bslnav/navigation/MotionGuard.h>
 #include <bslnav/navigation/Route.h>
+#include <bslnav/planning/ApproachSpeed.h>
 
 #include <memory>
 #include <optional>
@@ -55,6 +56,7 @@ class NavigationCycle {
   Surroundings surroundings_;
   Route route_;
   MoverForecast movers_;
+  ApproachSpeed approach_;
   MotionPlanner motionPlanner_;
   std::optional<MotionGuard> guard_;
   CycleRecord record_;

@@ -40,7 +40,7 @@ struct BlindSpotParameters {
 /** Whether depth cameras count, and which of their points are obstacles. */
 struct DepthParameters {
   bool enabled = false;
-  double blindWithin_m = 0.5;  ///< nearer to an obstacle, a camera may see nothing of it
+  double blindWithin_m = 0.5;  ///< nearer things a camera may not see
   DepthScanParameters obstacles;
 
   void describe(ConfigSection& section);

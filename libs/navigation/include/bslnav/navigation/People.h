@@ -31,6 +31,8 @@ class People {
 
   /** The places from which they come, map frame: first the hidden ones, then those seen. */
   const Frontier& frontier() const { return frontier_; }
+  /** The nearest point of each who is seen, map frame. */
+  const std::vector<mrpt::math::TPoint2D>& seen() const { return seen_.people(); }
   /** Those who are seen walking. */
   const Movers& movers() const { return seen_.movers(); }
   /** Whether whoever comes from behind would be seen. */

@@ -51,7 +51,7 @@ class Surroundings {
   CycleRecord::Health takeOver(const SensorFrame& frame, CycleRecord& record);
   bool takeOverScans(const SensorFrame& frame, CycleRecord& record);
   void takeOverDepth(const SensorFrame& frame, CycleRecord& record);
-  bool isAtObstacle(const DepthFrame& frame, const mrpt::math::TPose2D& mapFromRobot) const;
+  bool isTooNear(const DepthFrame& frame) const;
   void resizeScans(std::size_t count);
   void findPeople(const SensorFrame& frame, const CycleRecord& record,
                   const std::vector<PlanarScan>& depthScans);

@@ -11,9 +11,10 @@
 namespace bslnav {
 
 struct MoverParameters {
-  double horizon_s = 4.0;    ///< people are taken to walk straight on for so long
-  double radius_m = 0.35;    ///< around the middle of what is seen of a person
-  double clearance_m = 0.4;  ///< who passes at this distance is not in anybody's way
+  double horizon_s = 4.0;      ///< people are taken to walk straight on for so long
+  double radius_m = 0.35;      ///< around the middle of what is seen of a person
+  double clearance_m = 0.4;    ///< who passes at this distance is not in anybody's way
+  double approachShare = 0.5;  ///< of the highest speed, to where people who stand may cross
 
   void describe(ConfigSection& section);
 };
