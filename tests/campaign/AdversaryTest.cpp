@@ -162,7 +162,8 @@ TEST(AdversaryRegression, WhoStoodBesideABoxMeetsARobotThatStands) {
 /** Three people in a crowd walked through each other half a metre from it; they were taken for a
  * wall, and the robot made way for one of them into another at 0.12 m/s. */
 TEST(AdversaryRegression, WhoWalkThroughEachOtherMeetARobotThatStands) {
-  const Entrant entrant = guarded("laser");
+  Entrant entrant = guarded("laser");
+  entrant.setup.navigation.movers.approachShare = 1.0;  // as it was then: slower, it meets nobody
   const Encounter encounter = makeEncounter({}, 1, 1647);
   const RunSummary run = runSimulation(setupOf(entrant, encounter), encounter.seed);
   EXPECT_TRUE(run.contact);  // else it is another encounter

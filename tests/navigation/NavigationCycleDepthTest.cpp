@@ -117,7 +117,7 @@ TEST_F(NavigationCycleDepth, StopsAndSaysWhyWhenImagesAreNoUse) {
 }
 
 /** 0.3 m before a wall every depth is below the camera's least, and that is no defect, from the
- * first image on; farther away it is. The guard knows no less for it. */
+ * first image on; farther away it is. */
 TEST_F(NavigationCycleDepth, ACameraThatIsTooNearToAWallIsNotBroken) {
   auto blind = corner_;
   blind.rangeImage.fill(0);
@@ -135,6 +135,24 @@ TEST_F(NavigationCycleDepth, ACameraThatIsTooNearToAWallIsNotBroken) {
     EXPECT_EQ(record.droppedDepthFrames, 1);
   }
   EXPECT_EQ(step(1.8, 0.9).health, Health::StaleSensor);
+}
+
+/** What it saw before is too old by then. */
+TEST_F(NavigationCycleDepth, ForgetsItsZonesWhenTheCameraSeesNothingForLong) {
+  ASSERT_EQ(see(corner_, 0.0).dangerZones.size(), 1U);
+  auto blind = corner_;
+  blind.rangeImage.fill(0);
+  for (int i = 1; i < 8; ++i) {
+    SensorFrame frame = frameAt(0.1 * i);
+    frame.scans = {test::makeScan(0.1 * i, [](int deg) {
+      return std::abs(deg) < 80 ? 0.3 / std::cos(deg * M_PI / 180.0) : 0.0;
+    })};
+    frame.depth = {taken(blind, 0.1 * i)};
+    const CycleRecord& record = cycle_.step(frame);
+    ASSERT_EQ(record.health, Health::Ok);
+    if (i == 5) continue;  // just too old, or not yet
+    EXPECT_EQ(record.dangerZones.size(), i < 5 ? 1U : 0U) << i;
+  }
 }
 
 /** At a wall, too, an image without depth does not take the place of one with. */

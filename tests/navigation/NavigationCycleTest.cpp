@@ -175,5 +175,27 @@ TEST(NavigationCycle, GivesTheSameRecordsForTheSameFrames) {
   EXPECT_GT(driven.pose.x, 0.5);  // it did drive
 }
 
+/** Somebody stands 2.1 m beside the path, too far away for the guard to slow the robot down. */
+TEST(NavigationCycle, ComesSlowlyToWhereSomebodyMayCross) {
+  const auto speedThere = [](double share) {
+    NavigationParameters parameters;
+    parameters.guard.enabled = true;
+    parameters.movers.approachShare = share;
+    test::CycleRig rig(parameters);
+    rig.range_m = [&rig](int deg) {
+      const auto person = rig.pose.inverseComposePoint(mrpt::math::TPoint2D{2.5, -2.1});
+      const double bearing = deg * M_PI / 180.0, c = std::cos(bearing), s = std::sin(bearing);
+      const double along = person.x * c + person.y * s, across = person.y * c - person.x * s;
+      const bool isHit = along > 0.0 && std::abs(across) < 0.22;  // not at the very edge
+      return isHit ? along - std::sqrt(0.25 * 0.25 - across * across) : 0.0;
+    };
+    rig.cycle.setGoals({{5.0, 0.0, 0.0}});
+    while (rig.pose.x < 1.7 && rig.time_s < 20.0) rig.step();
+    return rig.twist.vx;
+  };
+  EXPECT_LT(speedThere(0.5), 0.4);
+  EXPECT_GT(speedThere(1.0), 0.5);
+}
+
 }  // namespace
 }  // namespace bslnav

@@ -37,6 +37,16 @@ TEST(DwaPlanner, ChoosesTheFastestStraightCandidateInTheFree) {
   EXPECT_EQ(result.command.omega, 0.0);
 }
 
+TEST(DwaPlanner, KeepsToTheSpeedThatIsWanted) {
+  const auto path = test::straightPath(5.0);
+  auto dwa = planner();
+  DwaInput input{{}, {0.3, 0.0, 0.0}, path, {3.0, 0.0}};
+  input.maxSpeed_mps = 0.32;
+  EXPECT_NEAR(dwa.plan(input, freeSpace()).command.vx, 0.32, 1e-9);
+  input.maxSpeed_mps = 0.2;  // as soon as it can
+  EXPECT_NEAR(dwa.plan(input, freeSpace()).command.vx, 0.25, 1e-9);
+}
+
 TEST(DwaPlanner, AnswersTiesByTheFastestStraightCandidate) {
   DwaParameters parameters = onePeriod();
   parameters.weights.path = parameters.weights.goal = parameters.weights.danger = 0.0;

@@ -1,5 +1,6 @@
 #include <bslnav/navigation/DepthCameras.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace bslnav {
@@ -62,6 +63,12 @@ const std::vector<PlanarScan>& DepthCameras::newPersonViews() {
   for (Camera& camera : cameras_)
     if (camera.isNew) personViews_.add(camera.people.make(camera.frame));
   return personViews_.used;
+}
+
+bool DepthCameras::hasSince(double time_s) const {
+  return std::any_of(cameras_.begin(), cameras_.end(), [time_s](const Camera& camera) {
+    return camera.image && camera.stamp_s >= time_s;
+  });
 }
 
 std::optional<double> DepthCameras::oldestNew_s() const {

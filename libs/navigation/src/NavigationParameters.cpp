@@ -50,8 +50,10 @@ void NavigationParameters::bind(Config& config) {
   config.bind("danger_zone", "The cost around a blind spot (paper IV-B, table I).", dangerZone);
   config.bind("guard", "Only velocities from which the robot can stop for whoever steps out.",
               guard);
-  config.bind("movers",
-              "Whom not to be in the way of; counts by [dwa] weight_movers, with a guard.", movers);
+  config.bind(
+      "movers",
+      "Whom not to be in the way of, with a guard; who walks counts by [dwa] weight_movers.",
+      movers);
   config.bind("person_visibility", "How far depth cameras see people; for the guard.",
               personVisibility);
   config.bind("hidden_people", "Where somebody may be whom no sensor sees; for the guard.",

@@ -151,10 +151,11 @@ const std::vector<BlindSpot>* Surroundings::newBlindSpots(double time_s) {
   switch (parameters_.blindSpots.source) {
     case BlindSpotSource::ScanJumps:
       return scans_.empty() ? nullptr : &scanJumps_.detect(scans_);
-    case BlindSpotSource::DepthClusters:
-      if (!depthCameras_.hasNew()) return nullptr;
-      return &depthClusters_.detect(
-          depthCameras_.framesSince(time_s - parameters_.cycle.sensorMaxAge_s, motion_));
+    case BlindSpotSource::DepthClusters: {
+      const double oldest_s = time_s - parameters_.cycle.sensorMaxAge_s;
+      if (!depthCameras_.hasNew() && depthCameras_.hasSince(oldest_s)) return nullptr;
+      return &depthClusters_.detect(depthCameras_.framesSince(oldest_s, motion_));
+    }
     case BlindSpotSource::None:
       break;
   }

@@ -25,7 +25,6 @@ double ApproachSpeed::speed_mps(const Bystanders& bystanders, const std::vector<
   if (path.empty() || bystanders.people.empty()) return maxSpeed_mps_;
   const double slow_mps = parameters_.approachShare * maxSpeed_mps_, a = robot_.deceleration_mps2;
   const double touching_m = robot_.radius_m + parameters_.radius_m;
-  // Who is farther away does not get there before the robot is through.
   const double farthest_m = touching_m + personSpeed_mps_ * 2.0 * touching_m / maxSpeed_mps_;
   const TPoint2D place{pose.x, pose.y}, ahead{std::cos(pose.phi), std::sin(pose.phi)};
   const TPoint2D onPath = pointAhead(path, place, kWay_m) - place;

@@ -18,7 +18,7 @@ void MoverParameters::describe(ConfigSection& section) {
                  "of a person, around the middle of what is seen");
   section.number("clearance_m", clearance_m, kPositive, "m",
                  "whom the robot passes at this distance it is not in the way of");
-  section.number("approach_share", approachShare, {0.01, 1.0}, "",
+  section.number("approach_share", approachShare, {0.1, 1.0}, "",
                  "part of its highest speed with which the robot comes to where people who are "
                  "seen standing may cross its path; 1: it does not slow down for them");
 }

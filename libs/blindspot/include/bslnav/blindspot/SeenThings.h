@@ -35,7 +35,8 @@ class SeenThings {
 
     /** Whether `reached` is within a distance of a point, on a square. Near a known obstacle, what
      * is behind a wall does not count: rather its other side comes into view than somebody through
-     * the wall. Elsewhere the wall may have a door by now. */
+     * the wall. Elsewhere the wall may have a door by now; one that an obstacle stands beside is
+     * not foreseen. */
     bool isReached(const mrpt::math::TPoint2D& p, double distance_m) const;
     /** Whether a wall is on the line between two cells, besides that of which the first one is
      * part: a hit may lie in it. */

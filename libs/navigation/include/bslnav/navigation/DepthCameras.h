@@ -44,6 +44,8 @@ class DepthCameras {
   /** How far people would be seen in this cycle's new images. */
   const std::vector<PlanarScan>& newPersonViews();
   bool hasNew() const { return oldestNew_s().has_value(); }
+  /** Whether a usable image was taken since a time. */
+  bool hasSince(double time_s) const;
   /** When the oldest of this cycle's new images was taken. */
   std::optional<double> oldestNew_s() const;
 

@@ -39,7 +39,7 @@ struct MotionInput {
   const Guard* guard = nullptr;  ///< what it refuses is no candidate
   const MoverForecast* movers = nullptr;                     ///< whom not to be in the way of
   bool looksBehind = false;                                  ///< whether it may drive back for them
-  double maxSpeed_mps = std::numeric_limits<double>::max();  ///< not to be exceeded now
+  double maxSpeed_mps = std::numeric_limits<double>::max();  ///< wanted of the planner
 };
 
 /** What the robot is to do in one cycle, and what was considered. */

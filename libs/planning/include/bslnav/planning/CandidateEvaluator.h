@@ -51,8 +51,8 @@ class CandidateEvaluator {
   const MoverForecast* movers_ = nullptr;
 };
 
-/** The highest speed that is wanted now: the robot does not creep towards a goal, nor overshoot it.
- */
+/** The highest speed that is wanted now: that of the input, and the robot does not creep towards a
+ * goal, nor overshoot it. */
 double speedCap(const DwaInput& input, const RobotLimits& limits, double controlPeriod_s);
 
 }  // namespace bslnav

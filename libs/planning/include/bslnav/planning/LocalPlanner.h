@@ -22,7 +22,7 @@ struct DwaInput {
   bool stopsAtGoal = true;       ///< with a tolerance: whether the robot is to stop there
   const Guard* guard = nullptr;  ///< what it refuses is not driven; null: anything may be
   const MoverForecast* movers = nullptr;  ///< whom not to be in the way of; null: nobody
-  double maxSpeed_mps = std::numeric_limits<double>::max();  ///< not to be exceeded now
+  double maxSpeed_mps = std::numeric_limits<double>::max();  ///< wanted now
 };
 
 /** One velocity that was considered, with all that was thought of it. */
