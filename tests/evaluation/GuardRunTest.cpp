@@ -28,8 +28,9 @@ TEST(GuardRun, EveryCommandIsCertified) {
     const auto& command = moment.record.motion.command;
     const bool promised = g.lapse == GuardRecord::Lapse::None;
     if (promised && std::hypot(command.vx, command.vy) >= 0.02) {
-      EXPECT_GT(g.slack_m, 0.0) << moment.record.time_s;
-      EXPECT_EQ(g.impact_mps, 0.0) << moment.record.time_s;
+      const bool isChosen = !moment.record.motion.blocked;  // else it brakes
+      EXPECT_GT(g.slack_m, isChosen ? 0.0 : -GuardParameters{}.noise_m) << moment.record.time_s;
+      EXPECT_TRUE(!isChosen || g.impact_mps == 0.0) << moment.record.time_s;
     }
     bound += g.binding.has_value();
     return true;
