@@ -26,16 +26,18 @@ long worlds() {
 }
 
 /** The robot of campaigns, with the guard. */
-Entrant guarded(const std::string& sensors) {
+Entrant guarded(const std::string& sensors, const std::vector<std::string>& engine = {}) {
   Entrant entrant{5, "dwa", sensors, {}, ""};
   EncounterParameters people;
   Config config;
   config.bind("campaign", "", people);
   entrant.setup.bind(config);
   const std::string directory = dataDirectory() + "/config/";
+  std::vector<std::string> files{directory + "campaign.ini", directory + "methods/method5.ini"};
+  for (const auto& file : engine) files.push_back(directory + file);
   std::vector<std::string> overrides;
   if (sensors == "laser") overrides.emplace_back("depth.enabled=false");
-  config.load({directory + "campaign.ini", directory + "methods/method5.ini"}, overrides);
+  config.load(files, overrides);
   if (sensors == "depth") entrant.setup.lasers.clear();
   return entrant;
 }
@@ -167,6 +169,17 @@ TEST(AdversaryRegression, WhoWalkThroughEachOtherMeetARobotThatStands) {
   const Encounter encounter = makeEncounter({}, 1, 1647);
   const RunSummary run = runSimulation(setupOf(entrant, encounter), encounter.seed);
   EXPECT_TRUE(run.contact);  // else it is another encounter
+  EXPECT_FALSE(run.atFault);
+}
+
+/** A holonomic robot on MRPT's engine turned away from somebody who came round a corner, could not
+ * come to a standstill before the wall, and touched it at 0.16 m/s. */
+TEST(AdversaryRegression, AWallBesideSomebodyIsNotTouched) {
+  Entrant entrant = guarded("laser", {"robots/holonomic.ini"});
+  entrant.setup.navigation.navigator.type = NavigatorType::Ptg;
+  const Encounter encounter = makeEncounter({}, 1, 2);
+  const RunSummary run = runSimulation(setupOf(entrant, encounter), encounter.seed);
+  EXPECT_TRUE(run.contact);  // the person walks on
   EXPECT_FALSE(run.atFault);
 }
 

@@ -165,6 +165,12 @@ Motion MotionPlanner::plan(const MotionInput& input, const CostGrid& costs) {
   motion.localGoal = localGoal;
   motion.command = dwa_->command;
   motion.blocked = dwa_->status == DwaResult::Status::NoAdmissible;
+  // A candidate is free from here on, but not the way from this velocity to it.
+  const auto braking = maneuvers_.braking(input);
+  if (motion.command != braking && !maneuvers_.canStopAfter(motion.command, input, costs)) {
+    motion.command = braking;
+    motion.blocked = true;
+  }
   return motion;
 }
 

@@ -21,6 +21,12 @@ class Maneuvers {
     return brake(input.commandBase, limits_, controlPeriod_s_);
   }
 
+  /** Whether the robot stands before it touches an obstacle if it is told this now and to brake
+   * from the next period on, whether the base follows at once or as late as the limits say. True,
+   * too, where it is nearer than its radius by the cells already: it has to get away. */
+  bool canStopAfter(const mrpt::math::TTwist2D& command, const MotionInput& input,
+                    const CostGrid& costs) const;
+
   /** Turns on the spot by an angle; blocked (and braking) where there is no room to. */
   Motion rotate(MotionMode mode, double error_rad, const MotionInput& input,
                 const CostGrid& costs) const;
@@ -43,6 +49,8 @@ class Maneuvers {
   double wayOff(const MotionInput& input, const CostGrid& costs) const;
 
  private:
+  bool isStoppingFree(const mrpt::math::TTwist2D& command, double keeps_s, const MotionInput& input,
+                      const CostGrid& costs) const;
   double creepSpeed_mps(double turn_radps, const MotionInput& input) const;
   bool roomToTurn(double angle_rad, const MotionInput& input, const CostGrid& costs) const;
   bool isFree(double forward_m, double left_rad, const MotionInput& input,
