@@ -27,7 +27,7 @@ class StoppingRoom : public testing::TestWithParam<double> {
   double room_m() const {
     return base.getXMin() + base.cellX(1.0) * kCell_m - 0.25 - 0.5 * kCell_m;
   }
-  /** Whether it touches within so many cycles of a planner that is new. */
+  /** Whether it touches within so many cycles of a planner that is new, with the guard. */
   bool touchesWithin(int cycles) {
     MotionPlanner planner({}, {},
                           std::make_unique<DwaPlanner>(DwaParameters{}, limits, cover, kPeriod_s),
@@ -35,7 +35,8 @@ class StoppingRoom : public testing::TestWithParam<double> {
     const mrpt::math::TPose2D goal{path.back().x, path.back().y, 0.0};
     bool touching = false;
     for (int i = 0; i < cycles; ++i) {
-      move(planner.step({time_s, pose, twist, twist, path, goal, 0.0}, costs).command);
+      guard.begin(pose, {}, 0.0, false);
+      move(planner.step({time_s, pose, twist, twist, path, goal, 0.0, &guard}, costs).command);
       touching = touching || touches();
     }
     return touching;
@@ -71,6 +72,7 @@ class StoppingRoom : public testing::TestWithParam<double> {
   mrpt::math::TPose2D pose;
   TTwist2D twist;
   std::vector<TPoint2D> path;
+  Guard guard{{}, limits, 0.25, kPeriod_s};  // nobody is hidden
   double time_s = 0.0;
 };
 

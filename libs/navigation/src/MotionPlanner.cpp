@@ -165,13 +165,18 @@ Motion MotionPlanner::plan(const MotionInput& input, const CostGrid& costs) {
   motion.localGoal = localGoal;
   motion.command = dwa_->command;
   motion.blocked = dwa_->status == DwaResult::Status::NoAdmissible;
-  // A candidate is free from here on, but not the way from this velocity to it.
-  const auto braking = maneuvers_.braking(input);
-  if (motion.command != braking && !maneuvers_.canStopAfter(motion.command, input, costs)) {
-    motion.command = braking;
-    motion.blocked = true;
-  }
+  if (input.guard) keepRoomToStop(input, costs, motion);
   return motion;
+}
+
+/** Brakes where the way from this velocity to the planned one is not free, as candidates are. The
+ * paper's methods, which have no guard, drive as they are written. */
+void MotionPlanner::keepRoomToStop(const MotionInput& input, const CostGrid& costs,
+                                   Motion& motion) const {
+  const auto braking = maneuvers_.braking(input);
+  if (motion.command == braking || maneuvers_.canStopAfter(motion.command, input, costs)) return;
+  motion.command = braking;
+  motion.blocked = true;
 }
 
 /** Creeps along the path: slow, but not stuck. */

@@ -44,6 +44,7 @@ class MotionPlanner {
  private:
   Motion follow(const MotionInput& input, const CostGrid& costs);
   Motion plan(const MotionInput& input, const CostGrid& costs);
+  void keepRoomToStop(const MotionInput& input, const CostGrid& costs, Motion& motion) const;
   Motion makeWay(const MotionInput& input, const CostGrid& costs, const Motion& planned) const;
   Motion creep(const MotionInput& input, const CostGrid& costs);
   Motion backOff(const MotionInput& input, const CostGrid& costs);
