@@ -26,7 +26,7 @@ long worlds() {
 }
 
 /** The robot of campaigns, with the guard. */
-Entrant guarded(const std::string& sensors, const std::vector<std::string>& engine = {}) {
+Entrant guarded(const std::string& sensors, const std::string& robot = "") {
   Entrant entrant{5, "dwa", sensors, {}, ""};
   EncounterParameters people;
   Config config;
@@ -34,7 +34,7 @@ Entrant guarded(const std::string& sensors, const std::vector<std::string>& engi
   entrant.setup.bind(config);
   const std::string directory = dataDirectory() + "/config/";
   std::vector<std::string> files{directory + "campaign.ini", directory + "methods/method5.ini"};
-  for (const auto& file : engine) files.push_back(directory + file);
+  if (!robot.empty()) files.push_back(directory + robot);
   std::vector<std::string> overrides;
   if (sensors == "laser") overrides.emplace_back("depth.enabled=false");
   config.load(files, overrides);
@@ -175,7 +175,7 @@ TEST(AdversaryRegression, WhoWalkThroughEachOtherMeetARobotThatStands) {
 /** A holonomic robot on MRPT's engine turned away from somebody who came round a corner, could not
  * come to a standstill before the wall, and touched it at 0.16 m/s. */
 TEST(AdversaryRegression, AWallBesideSomebodyIsNotTouched) {
-  Entrant entrant = guarded("laser", {"robots/holonomic.ini"});
+  Entrant entrant = guarded("laser", "robots/holonomic.ini");
   entrant.setup.navigation.navigator.type = NavigatorType::Ptg;
   const Encounter encounter = makeEncounter({}, 1, 2);
   const RunSummary run = runSimulation(setupOf(entrant, encounter), encounter.seed);

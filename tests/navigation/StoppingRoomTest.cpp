@@ -14,7 +14,7 @@ using mrpt::math::TTwist2D;
 
 constexpr double kPeriod_s = 0.1, kCell_m = 0.05;
 
-/** A wall across, one metre ahead of an ideal robot that may move sideways, too. */
+/** An ideal robot that may move sideways, too; a wall across its way. */
 class StoppingRoom : public testing::TestWithParam<double> {
  protected:
   StoppingRoom() {
@@ -88,8 +88,19 @@ TEST_P(StoppingRoom, IsWhatTheSpeedNeedsAndTheBaseTrails) {
   }
 }
 
+TEST_P(StoppingRoom, IsAskedForOnUnknownGroundToo) {
+  for (int y = 0; y < costs.height(); ++y)
+    for (int x = 0; x < costs.width(); ++x)
+      if (costs.at(x, y) < kInscribedCost) costs.at(x, y) = kUnknownCost;
+  const Maneuvers maneuvers(limits, cover, kPeriod_s);
+  pose.x = room_m() - 0.3;
+  const MotionInput input{0.0, pose, {}, {}, path, {}, 0.0};
+  EXPECT_FALSE(maneuvers.canStopAfter({0.5, 0.0, 0.0}, input, costs));
+  EXPECT_TRUE(maneuvers.canStopAfter({-0.5, 0.0, 0.0}, input, costs));
+}
+
 /** Every candidate is free from where the robot is, but the way from one velocity to the other need
- * not be: whoever could have stopped must not touch the wall. */
+ * not be: whoever could have stopped must not touch a pillar. */
 TEST_P(StoppingRoom, IsKeptWhateverThePlannerWants) {
   const Maneuvers maneuvers(limits, cover, kPeriod_s);
   std::mt19937 random(7);

@@ -11,7 +11,6 @@ namespace bslnav {
 namespace {
 
 using mrpt::math::TPoint2D;
-using mrpt::math::TPose2D;
 using mrpt::math::TTwist2D;
 
 constexpr double kBackingFrom_mps = 0.1;  // faster, it first brakes
@@ -19,38 +18,31 @@ constexpr double kWorthBacking = 0.02;    // less of c_mov is not
 constexpr double kCreepAhead_m = 0.3;     // who creeps heads for this point of the path
 constexpr double kSight_m = 1.0;          // farther obstacles do not matter here
 
-/** Where a velocity in the robot's frame leads to, along its exact arc. */
-TPose2D driven(const TPose2D& from, const TTwist2D& twist, double time_s) {
-  const double half = 0.5 * twist.omega * time_s;
-  const double chord_s = time_s * (std::abs(half) < 1e-9 ? 1.0 : std::sin(half) / half);
-  const double c = std::cos(from.phi + half) * chord_s, s = std::sin(from.phi + half) * chord_s;
-  return {from.x + c * twist.vx - s * twist.vy, from.y + s * twist.vx + c * twist.vy,
-          from.phi + 2.0 * half};
-}
-
 }  // namespace
 
 bool Maneuvers::canStopAfter(const TTwist2D& command, const MotionInput& input,
                              const CostGrid& costs) const {
-  if (!isFree(0.0, 0.0, input, costs)) return true;
-  // Braking turns less and less: stopping sooner is another way, not a part of the same.
-  return isStoppingFree(command, controlPeriod_s_, input, costs) &&
-         isStoppingFree(command, controlPeriod_s_ + limits_.response_s, input, costs);
-}
-
-/** The same for a base that does what it is told for so long, and brakes then. */
-bool Maneuvers::isStoppingFree(const TTwist2D& command, double keeps_s, const MotionInput& input,
-                               const CostGrid& costs) const {
   RolloutSetup setup;
   setup.start = input.mapFromRobot;
-  setup.horizon_s = keeps_s;
   setup.outlineReach_m = footprint_.reach_m();
   setup.allowUnknown = true;
-  for (TTwist2D twist = command; twist != TTwist2D();
-       twist = brake(twist, limits_, controlPeriod_s_)) {
-    if (rollOut(twist, setup, costs, footprint_).blocked()) return false;
-    setup.start = driven(setup.start, twist, setup.horizon_s);
+  if (rollOut(TTwist2D(), setup, costs, footprint_).blocked()) return true;
+  // Braking turns less and less: stopping sooner is another way, not a part of the same.
+  for (const double keeps_s : {controlPeriod_s_, controlPeriod_s_ + limits_.response_s}) {
+    setup.horizon_s = keeps_s;
+    if (!isStoppingFree(command, setup, costs)) return false;
+  }
+  return true;
+}
+
+/** Whether nothing is touched by what is driven for the horizon and then braked from. */
+bool Maneuvers::isStoppingFree(TTwist2D twist, RolloutSetup setup, const CostGrid& costs) const {
+  while (twist != TTwist2D()) {
+    const RolloutOutcome way = rollOut(twist, setup, costs, footprint_);
+    if (way.blocked()) return false;
+    setup.start = {way.endPoint.x, way.endPoint.y, setup.start.phi + twist.omega * setup.horizon_s};
     setup.horizon_s = controlPeriod_s_;
+    twist = brake(twist, limits_, controlPeriod_s_);
   }
   return true;
 }

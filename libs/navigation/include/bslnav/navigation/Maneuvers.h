@@ -4,6 +4,7 @@
 #include <bslnav/navigation/Motion.h>
 #include <bslnav/planning/FootprintCover.h>
 #include <bslnav/planning/RobotLimits.h>
+#include <bslnav/planning/Rollout.h>
 
 #include <optional>
 
@@ -49,8 +50,7 @@ class Maneuvers {
   double wayOff(const MotionInput& input, const CostGrid& costs) const;
 
  private:
-  bool isStoppingFree(const mrpt::math::TTwist2D& command, double keeps_s, const MotionInput& input,
-                      const CostGrid& costs) const;
+  bool isStoppingFree(mrpt::math::TTwist2D twist, RolloutSetup setup, const CostGrid& costs) const;
   double creepSpeed_mps(double turn_radps, const MotionInput& input) const;
   bool roomToTurn(double angle_rad, const MotionInput& input, const CostGrid& costs) const;
   bool isFree(double forward_m, double left_rad, const MotionInput& input,
