@@ -114,6 +114,7 @@ TEST(Encounter, SomePeopleHesitateAndAllYieldWhenAsked) {
       pauses += person.pause_s > 0.0;
       turnBack += person.path_m.front() == person.path_m.back();
       EXPECT_GT(person.yieldsWithin_m, 0.5);
+      EXPECT_GT(person.walksRoundAfter_s, 0.0);
     }
   EXPECT_NEAR(static_cast<double>(pauses) / static_cast<double>(people), 0.35, 0.06);
   EXPECT_GT(turnBack, 10);

@@ -117,5 +117,68 @@ TEST(Pedestrian, WhoYieldsWalksAwayFromARobotThatIsNear) {
   expectAt(person.position(1.0), 1.0, 0.0);
 }
 
+/** Walks 4 m along x and yields; the robot stands at x = 2, a little to the right of the way. */
+class WalkRound : public testing::Test {
+ protected:
+  WalkRound() {
+    parameters_.yieldsWithin_m = 0.6;
+    parameters_.walksRoundAfter_s = 1.0;
+  }
+
+  /** Walks for 8 s; the place at each end of 10 ms. */
+  std::vector<mrpt::math::TPoint2D> walk(const WorldParameters& world = {}) const {
+    const auto solids = worldShapes(world);
+    Pedestrian person(parameters_);
+    std::vector<mrpt::math::TPoint2D> places;
+    for (int i = 0; i < 800; ++i) {
+      person.observeRobot(robot_, i * 0.01, robot_, (i + 1) * 0.01);
+      person.walkRound(robot_, (i + 1) * 0.01, solids);
+      places.push_back(person.position((i + 1) * 0.01));
+    }
+    return places;
+  }
+
+  void expectGoesRound(const std::vector<mrpt::math::TPoint2D>& places, double side) const {
+    for (const auto& place : places) {
+      EXPECT_GT((place - robot_).norm(), 0.59);
+      if (std::abs(place.x - robot_.x) < 0.1) EXPECT_GT((place.y - robot_.y) * side, 0.59);
+    }
+    expectAt(places.back(), 4.0, 0.0);
+  }
+
+  PedestrianParameters parameters_ = test::walker({{0, 0}, {4, 0}}, 1.0);
+  mrpt::math::TPoint2D robot_{2.0, -0.1};
+};
+
+TEST_F(WalkRound, TakesTheShorterSideAtTheSameSpeed) {
+  const auto places = walk();
+  expectGoesRound(places, 1.0);
+  for (std::size_t i = 1; i < places.size(); ++i)
+    EXPECT_LT((places[i] - places[i - 1]).norm(), 0.01 + 1e-9);
+}
+
+TEST_F(WalkRound, TakesTheOtherSideWhereThereIsAWall) {
+  WorldParameters world;
+  world.walls["left"] = test::wall({0, 0.6}, {4, 0.6});
+  expectGoesRound(walk(world), -1.0);
+}
+
+TEST_F(WalkRound, WaitsWhereBothSidesAreBlocked) {
+  WorldParameters world;
+  world.walls["left"] = test::wall({0, 0.6}, {4, 0.6});
+  world.walls["right"] = test::wall({0, -0.8}, {4, -0.8});
+  EXPECT_NEAR(walk(world).back().x, 1.4, 0.02);
+}
+
+TEST_F(WalkRound, WaitsWhereTheWayEndsAtTheRobot) {
+  robot_ = {3.8, 0.0};
+  EXPECT_NEAR(walk().back().x, 3.2, 0.02);
+}
+
+TEST_F(WalkRound, WaitsWithoutTheParameter) {
+  parameters_.walksRoundAfter_s = 0.0;
+  EXPECT_NEAR(walk().back().x, 1.4, 0.02);
+}
+
 }  // namespace
 }  // namespace bslnav

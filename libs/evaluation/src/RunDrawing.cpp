@@ -19,7 +19,8 @@ void drawWorld(MapPicture& picture, const SimulationSetup& setup,
   for (const auto& [name, b] : setup.world.boxes)
     if (!b.mapped || !map) {
       const double x = 0.5 * b.length_m, y = 0.5 * b.width_m;
-      picture.outline(b.pose, Footprint{0.0, {{x, y}, {-x, y}, {-x, -y}, {x, -y}}},
+      picture.polygon({b.pose.composePoint({x, y}), b.pose.composePoint({-x, y}),
+                       b.pose.composePoint({-x, -y}), b.pose.composePoint({x, -y})},
                       style::kUnmapped, "box, not in the map");
     }
   for (const auto& [name, person] : setup.world.pedestrians)

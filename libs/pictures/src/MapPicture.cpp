@@ -73,6 +73,12 @@ void MapPicture::disc(const TPoint2D& centre, double radius_m, const FillStyle& 
   page_->legend.add(label, fillSwatch(style));
 }
 
+void MapPicture::polygon(const std::vector<TPoint2D>& corners, const FillStyle& style,
+                         const std::string& label) {
+  page_->data.polygon(page_->inData(corners), style);
+  page_->legend.add(label, fillSwatch(style));
+}
+
 void MapPicture::outline(const TPose2D& mapFromRobot, const Footprint& footprint,
                          const FillStyle& style, const std::string& label) {
   const TPoint2D centre{mapFromRobot.x, mapFromRobot.y};
@@ -82,8 +88,7 @@ void MapPicture::outline(const TPose2D& mapFromRobot, const Footprint& footprint
     std::vector<TPoint2D> corners;
     for (const TPoint2D& corner : footprint.polygon)
       corners.push_back(mapFromRobot.composePoint(corner));
-    page_->data.polygon(page_->inData(corners), style);
-    page_->legend.add(label, fillSwatch(style));
+    polygon(corners, style, label);
   }
   const TPoint2D front = mapFromRobot.composePoint({footprint.inscribedRadius_m(), 0.0});
   segment(centre, front, {style.colour, std::max(1.5, style.outline_px), false}, "");

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "WayRound.h"
+
 namespace bslnav {
 namespace {
 
@@ -23,9 +25,14 @@ double crossing(const TPoint2D& from, const TPoint2D& to, const TPoint2D& a, con
 }  // namespace
 
 Pedestrian::Pedestrian(const PedestrianParameters& parameters) : parameters_(parameters) {
-  const auto& path = parameters_.path_m;
-  for (std::size_t i = 1; i < path.size(); ++i) pathLength_m_ += (path[i] - path[i - 1]).norm();
+  measurePath();
   if (parameters_.triggerLine_m.empty()) start_s_ = parameters_.startDelay_s;
+}
+
+void Pedestrian::measurePath() {
+  const auto& path = parameters_.path_m;
+  pathLength_m_ = 0.0;
+  for (std::size_t i = 1; i < path.size(); ++i) pathLength_m_ += (path[i] - path[i - 1]).norm();
 }
 
 void Pedestrian::observeRobot(const TPoint2D& from, double from_s, const TPoint2D& to,
@@ -43,6 +50,31 @@ void Pedestrian::yieldTo(const TPoint2D& robot, double from_s, double to_s) {
   const double now_m = (position(from_s) - robot).norm(), next_m = (position(to_s) - robot).norm();
   waits_ = next_m < within_m && next_m < now_m;
   if (waits_) waited_s_ += to_s - from_s;
+  waitsSince_s_ = waits_ ? waitsSince_s_ + to_s - from_s : 0.0;
+}
+
+void Pedestrian::walkRound(const TPoint2D& robot, double time_s,
+                           const std::vector<WorldShape>& solids) {
+  const double patience_s = parameters_.walksRoundAfter_s;
+  if (patience_s <= 0.0 || waitsSince_s_ < patience_s) return;
+  waitsSince_s_ = 0.0;
+  auto& path = parameters_.path_m;
+  double left_m = walked_m(time_s);
+  std::size_t next = 1;  // corner of the path
+  for (; next + 1 < path.size(); ++next) {
+    const double length_m = (path[next] - path[next - 1]).norm();
+    if (left_m < length_m) break;
+    left_m -= length_m;
+  }
+  const auto ahead = path.begin() + static_cast<std::ptrdiff_t>(next);
+  std::vector<TPoint2D> rest{position(time_s)};
+  rest.insert(rest.end(), ahead, path.end());
+  RobotBody body({{}, parameters_.radius_m, parameters_.height_m});
+  const auto way = wayRound(rest, robot, parameters_.yieldsWithin_m, body, solids);
+  if (!way) return;
+  path.erase(ahead, path.end());
+  path.insert(path.end(), way->begin(), way->end());
+  measurePath();
 }
 
 double Pedestrian::walked_m(double time_s) const {

@@ -36,8 +36,10 @@ void SimulationTruth::advance(const mrpt::math::TPose2D& pose, const mrpt::math:
   state_.pose = pose;
   state_.twist = twist;
   state_.odometry = odometry;
-  for (auto& pedestrian : pedestrians_)
+  for (auto& pedestrian : pedestrians_) {
     pedestrian.observeRobot({from.x, from.y}, from_s, {pose.x, pose.y}, state_.time_s);
+    pedestrian.walkRound({pose.x, pose.y}, state_.time_s, shapes_);
+  }
   update();
   updateContact();
 }

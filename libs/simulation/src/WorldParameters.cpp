@@ -42,6 +42,7 @@ void check(const std::string& section, const PedestrianParameters& person) {
   requireNonNegative("pause_after_m", person.pauseAfter_m);
   requireNonNegative("pause_s", person.pause_s);
   requireNonNegative("yields_within_m", person.yieldsWithin_m);
+  requireNonNegative("walks_round_after_s", person.walksRoundAfter_s);
   if (person.triggerLine_m.empty()) return;
   if (person.triggerLine_m.size() != 2)
     Config::refuse(section, "trigger_line_m", "two points, or none to start at once");
@@ -86,6 +87,9 @@ void PedestrianParameters::describe(ConfigSection& section) {
   section.number("yields_within_m", yieldsWithin_m, kNonNegative, "m",
                  "the person waits while the next step would lead nearer to the robot's centre and "
                  "into this distance; 0: does not see the robot");
+  section.number("walks_round_after_s", walksRoundAfter_s, kNonNegative, "s",
+                 "who has waited so long for the robot walks round it at yields_within_m, where "
+                 "there is room; 0: waits on");
 }
 
 void WorldParameters::check() const {

@@ -72,6 +72,8 @@ class MapPicture {
 
   void disc(const mrpt::math::TPoint2D& centre, double radius_m, const FillStyle& style,
             const std::string& label);
+  void polygon(const std::vector<mrpt::math::TPoint2D>& corners, const FillStyle& style,
+               const std::string& label);
   /** A robot's outline with a line from its centre forward. */
   void outline(const mrpt::math::TPose2D& mapFromRobot, const Footprint& footprint,
                const FillStyle& style, const std::string& label);

@@ -1,13 +1,13 @@
 #pragma once
 
-#include <bslnav/simulation/WorldParameters.h>
+#include <bslnav/simulation/WorldShape.h>
 
 #include <limits>
 
 namespace bslnav {
 
 /** One person's walk: waits for trigger and delay, walks the path once, stands at its end; in
- * between one pause, and waits for the robot, where the parameters say so. */
+ * between one pause, waits for the robot and walks round it, where the parameters say so. */
 class Pedestrian {
  public:
   explicit Pedestrian(const PedestrianParameters& parameters);
@@ -18,6 +18,12 @@ class Pedestrian {
    *  still in this interval when walking on would lead too near to `to`. */
   void observeRobot(const mrpt::math::TPoint2D& from, double from_s, const mrpt::math::TPoint2D& to,
                     double to_s);
+
+  /** Who has waited long enough for the robot walks round it from `time_s`, if a side is free; else
+   *  waits as long again.
+   *  @param robot its centre, map frame @param solids that must not be walked through */
+  void walkRound(const mrpt::math::TPoint2D& robot, double time_s,
+                 const std::vector<WorldShape>& solids);
 
   /** Exact position in the map at a time, given the trigger and the waiting known so far. */
   mrpt::math::TPoint2D position(double time_s) const;
@@ -32,9 +38,12 @@ class Pedestrian {
   mrpt::math::TPoint2D pointAfter(double walked_m) const;
   void yieldTo(const mrpt::math::TPoint2D& robot, double from_s, double to_s);
 
+  void measurePath();
+
   PedestrianParameters parameters_;
-  double pathLength_m_ = 0.0, waited_s_ = 0.0;
-  bool waits_ = false;  // for the robot, now
+  double pathLength_m_ = 0.0;
+  double waited_s_ = 0.0, waitsSince_s_ = 0.0;  // for the robot: in all, and now
+  bool waits_ = false;                          // for the robot, now
   double start_s_ = std::numeric_limits<double>::infinity();
 };
 

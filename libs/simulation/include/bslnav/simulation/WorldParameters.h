@@ -49,7 +49,8 @@ struct PedestrianParameters {
   std::vector<mrpt::math::TPoint2D> triggerLine_m;  ///< two points, or empty: triggered at time 0
   double startDelay_s = 0.0;                        ///< from the trigger to the first step
   double pauseAfter_m = 0.0, pause_s = 0.0;         ///< where on the path to stand, and how long
-  double yieldsWithin_m = 0.0;  ///< waits while going on would lead nearer to the robot's centre
+  double yieldsWithin_m = 0.0;     ///< waits while going on would lead nearer to the robot's centre
+  double walksRoundAfter_s = 0.0;  ///< of waiting, where there is room; 0: waits on
 
   void describe(ConfigSection& section);
 };
