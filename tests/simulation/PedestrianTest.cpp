@@ -1,6 +1,8 @@
 #include <bslnav/simulation/Pedestrian.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "TestWorld.h"
 
 namespace bslnav {
@@ -173,6 +175,32 @@ TEST_F(WalkRound, WaitsWhereBothSidesAreBlocked) {
 TEST_F(WalkRound, WaitsWhereTheWayEndsAtTheRobot) {
   robot_ = {3.8, 0.0};
   EXPECT_NEAR(walk().back().x, 3.2, 0.02);
+}
+
+TEST_F(WalkRound, StepsOutFirstWhenTheRobotCameNear) {
+  Pedestrian person(parameters_);
+  const mrpt::math::TPoint2D near(1.4, 0.1);
+  for (int i = 0; i < 800; ++i) {
+    const auto& robot = i < 100 ? robot_ : near;  // 0.4 m before the person at x = 1
+    person.observeRobot(robot, i * 0.01, robot, (i + 1) * 0.01);
+    person.walkRound(robot, (i + 1) * 0.01, {});
+    if (i > 100) EXPECT_GT((person.position((i + 1) * 0.01) - near).norm(), 0.4);
+  }
+  expectAt(person.position(8.0), 4.0, 0.0);
+}
+
+TEST_F(WalkRound, LeavesNothingOutOfAWayThatTurnsBack) {
+  parameters_.path_m = {{0, 0}, {3.5, 0}, {2.8, 0}};  // heads for the robot again at the end
+  const auto places = walk();
+  expectAt(places.back(), 2.8, 0.0);
+  const auto reaches = [](const auto& place) { return place.x > 3.49; };
+  EXPECT_TRUE(std::any_of(places.begin(), places.end(), reaches));
+}
+
+TEST_F(WalkRound, PausesWhereThePauseIsOnThePath) {
+  parameters_.pauseAfter_m = 3.0;
+  parameters_.pause_s = 100.0;
+  expectAt(walk().back(), 3.0, 0.0);
 }
 
 TEST_F(WalkRound, WaitsWithoutTheParameter) {

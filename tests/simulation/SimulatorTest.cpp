@@ -51,6 +51,24 @@ TEST(Simulator, ContactWithAWallComesWhenTheDistanceIsDriven) {
   EXPECT_DOUBLE_EQ(simulator.state().speedAtContact_mps, 1.0);
 }
 
+TEST(Simulator, PeopleWalkRoundTheRobotButNotThroughWalls) {
+  WorldParameters world;
+  world.walls["left"] = test::wall({-2, 0.6}, {2, 0.6});
+  auto& person = world.pedestrians["p"] = test::walker({{-2, 0.05}, {2, 0.05}}, 1.0);
+  person.yieldsWithin_m = 0.6;
+  person.walksRoundAfter_s = 1.0;
+  auto simulator = idealSimulator(world);
+  double side_m = 0.0;
+  for (int k = 0; k < 80; ++k) {
+    simulator.step({}, 0.1);
+    const auto& at = simulator.state().people.front().position;
+    if (std::abs(at.x) < 0.1) side_m = at.y;
+  }
+  EXPECT_NEAR(simulator.state().people.front().position.x, 2.0, 1e-9);
+  EXPECT_LT(side_m, -0.59);
+  EXPECT_EQ(simulator.state().contact, Contact::Nothing);
+}
+
 TEST(Simulator, ContactWithAPersonComesWhenTheGapIsClosed) {
   WorldParameters world;
   world.pedestrians["p"] = test::walker({{3, 0}, {0, 0}}, 1.0);

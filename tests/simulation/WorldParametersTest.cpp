@@ -61,6 +61,13 @@ TEST(WorldParameters, TriggerLineOfOnePointIsRefused) {
   expectRefused(world, "pedestrian:p", "trigger_line_m");
 }
 
+TEST(WorldParameters, WhoDoesNotSeeTheRobotCannotWalkRoundIt) {
+  WorldParameters world;
+  world.pedestrians["p"] = test::walker({{0, 0}, {1, 0}}, 1.0);
+  world.pedestrians["p"].walksRoundAfter_s = 2.0;
+  expectRefused(world, "pedestrian:p", "walks_round_after_s");
+}
+
 TEST(WorldParameters, UpperFaceNotAboveLowerFaceIsRefused) {
   WorldParameters world;
   world.boxes["b"] = test::box({0, 0, 0}, 1.0, 1.0, 0.5, 0.5);

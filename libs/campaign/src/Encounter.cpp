@@ -42,9 +42,9 @@ void EncounterParameters::describe(ConfigSection& section) {
                  "the robot drives on at a speed between 0.2 and 0.55 m/s");
   section.number("hesitate_share", hesitate_share, {0.0, 1.0}, "",
                  "share of people who stand on their way for 0.5 to 8 s; some of them turn back");
-  section.flag("yield", yield,
-               "whether people wait for a robot in their way, and walk round one that "
-               "stays there for 2 s; else they walk on");
+  section.flag("yield", yield, "whether people wait for a robot in their way; else they walk on");
+  section.number("patience_s", patience_s, kNonNegative, "s",
+                 "who has waited so long walks round the robot, where there is room; 0: waits on");
 }
 
 void EncounterParameters::check() const {

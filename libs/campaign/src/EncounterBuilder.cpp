@@ -9,8 +9,7 @@ using mrpt::math::TPoint2D;
 
 constexpr double kBehindStart_m = 1.5;
 constexpr double kSlowRobot_mps = 0.2, kFastRobot_mps = 0.55;  // on its way to the meeting
-constexpr double kNearRobot_m = 0.7;  // who yields keeps this distance between the centres,
-constexpr double kPatience_s = 2.0;   // and walks round the robot after so long
+constexpr double kNearRobot_m = 0.7;  // who yields keeps this distance between the centres
 
 std::string numbered(const std::string& name, std::size_t count) {
   return name + "_" + std::to_string(count + 1);
@@ -67,7 +66,7 @@ void EncounterBuilder::person(std::vector<TPoint2D> path_m, const Meeting& meeti
   person.speed_mps = dice_.between(parameters_.slowest_mps, parameters_.fastest_mps);
   if (parameters_.yield) {
     person.yieldsWithin_m = kNearRobot_m;
-    person.walksRoundAfter_s = kPatience_s;
+    person.walksRoundAfter_s = parameters_.patience_s;
   }
   startInTime(person, meeting);
   if (dice_.chance(parameters_.hesitate_share)) hesitate(person, meeting);

@@ -50,31 +50,38 @@ void Pedestrian::yieldTo(const TPoint2D& robot, double from_s, double to_s) {
   const double now_m = (position(from_s) - robot).norm(), next_m = (position(to_s) - robot).norm();
   waits_ = next_m < within_m && next_m < now_m;
   if (waits_) waited_s_ += to_s - from_s;
-  waitsSince_s_ = waits_ ? waitsSince_s_ + to_s - from_s : 0.0;
+  waitsFor_s_ = waits_ ? waitsFor_s_ + to_s - from_s : 0.0;
 }
 
 void Pedestrian::walkRound(const TPoint2D& robot, double time_s,
                            const std::vector<WorldShape>& solids) {
   const double patience_s = parameters_.walksRoundAfter_s;
-  if (patience_s <= 0.0 || waitsSince_s_ < patience_s) return;
-  waitsSince_s_ = 0.0;
+  if (patience_s <= 0.0 || waitsFor_s_ < patience_s) return;
+  waitsFor_s_ = 0.0;
+  const double walked = walked_m(time_s), before_m = pathLength_m_;
   auto& path = parameters_.path_m;
-  double left_m = walked_m(time_s);
-  std::size_t next = 1;  // corner of the path
-  for (; next + 1 < path.size(); ++next) {
-    const double length_m = (path[next] - path[next - 1]).norm();
-    if (left_m < length_m) break;
-    left_m -= length_m;
-  }
-  const auto ahead = path.begin() + static_cast<std::ptrdiff_t>(next);
+  const auto ahead = path.begin() + static_cast<std::ptrdiff_t>(cornerAfter(walked));
   std::vector<TPoint2D> rest{position(time_s)};
   rest.insert(rest.end(), ahead, path.end());
-  RobotBody body({{}, parameters_.radius_m, parameters_.height_m});
-  const auto way = wayRound(rest, robot, parameters_.yieldsWithin_m, body, solids);
+  const auto way = wayRound(rest, robot, parameters_.yieldsWithin_m,
+                            {{}, parameters_.radius_m, parameters_.height_m}, solids);
   if (!way) return;
   path.erase(ahead, path.end());
   path.insert(path.end(), way->begin(), way->end());
   measurePath();
+  if (walked < parameters_.pauseAfter_m)  // the pause stays where it is
+    parameters_.pauseAfter_m += std::max(0.0, pathLength_m_ - before_m);
+}
+
+std::size_t Pedestrian::cornerAfter(double walked_m) const {
+  const auto& path = parameters_.path_m;
+  std::size_t next = 1;
+  for (; next + 1 < path.size(); ++next) {
+    const double length_m = (path[next] - path[next - 1]).norm();
+    if (walked_m < length_m) break;
+    walked_m -= length_m;
+  }
+  return next;
 }
 
 double Pedestrian::walked_m(double time_s) const {

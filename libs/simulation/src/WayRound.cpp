@@ -19,16 +19,15 @@ TPoint2D onCircle(const TPoint2D& centre, double radius_m, double bearing_rad) {
   return centre + TPoint2D(std::cos(bearing_rad), std::sin(bearing_rad)) * radius_m;
 }
 
-/** The path from where it leaves the circle for good; empty when it ends there. */
+/** The path from where it first leaves the circle; empty where it stays inside. */
 Way afterCircle(const Way& path, const TPoint2D& centre, double radius_m) {
-  for (std::size_t i = path.size() - 1; i > 0; --i) {
+  for (std::size_t i = 1; i < path.size(); ++i) {
     const TPoint2D step = path[i] - path[i - 1], from = path[i - 1] - centre;
     const double along = (from.x * step.x + from.y * step.y) / step.sqrNorm();
     const TPoint2D foot = from - step * along;
     const double half = std::sqrt((radius_m * radius_m - foot.sqrNorm()) / step.sqrNorm());
-    const double leaves = half - along;  // NaN: the line passes by
-    if (leaves >= 1.0) return {};
-    if (!(leaves >= 0.0)) continue;
+    const double leaves = half - along;  // NaN: the line passes by, or has no length
+    if (!(leaves >= 0.0 && leaves < 1.0)) continue;
     Way rest{path[i - 1] + step * leaves};
     rest.insert(rest.end(), path.begin() + static_cast<std::ptrdiff_t>(i), path.end());
     return rest;
@@ -36,8 +35,9 @@ Way afterCircle(const Way& path, const TPoint2D& centre, double radius_m) {
   return {};
 }
 
-bool isFree(const Way& way, RobotBody& body, const std::vector<WorldShape>& solids) {
+bool isFree(const Way& way, const RobotOutline& walker, const std::vector<WorldShape>& solids) {
   constexpr double kApart_m = 0.05;
+  RobotBody body(walker);
   for (std::size_t i = 1; i < way.size(); ++i) {
     const TPoint2D step = way[i] - way[i - 1];
     const int parts = std::max(1, static_cast<int>(std::ceil(step.norm() / kApart_m)));
@@ -62,9 +62,9 @@ Way alongCircle(const TPoint2D& centre, double radius_m, double from_rad, double
 }  // namespace
 
 std::optional<Way> wayRound(const Way& path, const TPoint2D& centre, double radius_m,
-                            RobotBody& body, const std::vector<WorldShape>& solids) {
-  const double corners_m = 1.02 * radius_m / std::cos(0.5 * kTurn_rad);  // chords stay outside
-  const Way rest = afterCircle(path, centre, corners_m);
+                            const RobotOutline& walker, const std::vector<WorldShape>& solids) {
+  const double cornerRadius_m = 1.02 * radius_m / std::cos(0.5 * kTurn_rad);  // chords stay outside
+  const Way rest = afterCircle(path, centre, cornerRadius_m);
   if (rest.empty()) return std::nullopt;
   const double from_rad = bearing(centre, path.front());
   const double left_rad =
@@ -73,9 +73,9 @@ std::optional<Way> wayRound(const Way& path, const TPoint2D& centre, double radi
   const bool leftIsShorter = left_rad < M_PI;
   for (const double turn_rad :
        {leftIsShorter ? left_rad : right_rad, leftIsShorter ? right_rad : left_rad}) {
-    Way way = alongCircle(centre, corners_m, from_rad, turn_rad);
+    Way way = alongCircle(centre, cornerRadius_m, from_rad, turn_rad);
     way.insert(way.begin(), path.front());
-    if (!isFree(way, body, solids)) continue;
+    if (!isFree(way, walker, solids)) continue;
     way.insert(way.end(), rest.begin() + 1, rest.end());
     return way;
   }

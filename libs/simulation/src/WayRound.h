@@ -7,13 +7,14 @@
 
 namespace bslnav {
 
-/** The way on along `path` that leaves out a circle, around its shorter free side; map frame.
+/** A path led around a circle at its start, on the shorter free side; map frame.
  *
- *  @param path starts in the circle, or within 2 % of its radius @param body who walks
- *  @return the path from its first point to its last, or nothing where it ends in the circle or
- *          both sides are blocked */
+ *  @param path starts in the circle or just outside it @param walker who walks, from above
+ *  @param solids are kept clear of around the circle; the rest of the path is taken as it is
+ *  @return the path to its last point, or nothing where it does not leave the circle or both sides
+ *          are blocked */
 std::optional<std::vector<mrpt::math::TPoint2D>> wayRound(
     const std::vector<mrpt::math::TPoint2D>& path, const mrpt::math::TPoint2D& centre,
-    double radius_m, RobotBody& body, const std::vector<WorldShape>& solids);
+    double radius_m, const RobotOutline& walker, const std::vector<WorldShape>& solids);
 
 }  // namespace bslnav

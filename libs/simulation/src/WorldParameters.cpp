@@ -43,6 +43,8 @@ void check(const std::string& section, const PedestrianParameters& person) {
   requireNonNegative("pause_s", person.pause_s);
   requireNonNegative("yields_within_m", person.yieldsWithin_m);
   requireNonNegative("walks_round_after_s", person.walksRoundAfter_s);
+  if (person.walksRoundAfter_s > 0.0 && person.yieldsWithin_m == 0.0)
+    Config::refuse(section, "walks_round_after_s", "0, or yields_within_m above 0 as well");
   if (person.triggerLine_m.empty()) return;
   if (person.triggerLine_m.size() != 2)
     Config::refuse(section, "trigger_line_m", "two points, or none to start at once");

@@ -32,7 +32,8 @@ struct EncounterParameters {
   double slowest_mps = 0.6, fastest_mps = 4.0 / 3.6;  ///< people's speeds, uniform in between
   double timingSpread_s = 1.5;  ///< robot and person reach the same place within this of each other
   double hesitate_share = 0.35;  ///< of people who stand on the way for a while, or turn back
-  bool yield = false;            ///< whether people wait for a robot in their way, or walk round it
+  bool yield = false;            ///< whether people wait for a robot that is in their way
+  double patience_s = 2.0;       ///< who has waited so long walks round the robot; 0: waits on
 
   void describe(ConfigSection& section);
   /** @throws Error naming section and key */

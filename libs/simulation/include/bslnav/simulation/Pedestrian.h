@@ -36,14 +36,14 @@ class Pedestrian {
  private:
   double walked_m(double time_s) const;
   mrpt::math::TPoint2D pointAfter(double walked_m) const;
-  void yieldTo(const mrpt::math::TPoint2D& robot, double from_s, double to_s);
-
+  std::size_t cornerAfter(double walked_m) const;  // index of the path's next corner
   void measurePath();
+  void yieldTo(const mrpt::math::TPoint2D& robot, double from_s, double to_s);
 
   PedestrianParameters parameters_;
   double pathLength_m_ = 0.0;
-  double waited_s_ = 0.0, waitsSince_s_ = 0.0;  // for the robot: in all, and now
-  bool waits_ = false;                          // for the robot, now
+  double waited_s_ = 0.0, waitsFor_s_ = 0.0;  // for the robot: in all, and now
+  bool waits_ = false;                        // for the robot, now
   double start_s_ = std::numeric_limits<double>::infinity();
 };
 
