@@ -1,5 +1,7 @@
 #include "WayRound.h"
 
+#include <mrpt/math/wrap2pi.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -67,12 +69,9 @@ std::optional<Way> wayRound(const Way& path, const TPoint2D& centre, double radi
   const Way rest = afterCircle(path, centre, cornerRadius_m);
   if (rest.empty()) return std::nullopt;
   const double from_rad = bearing(centre, path.front());
-  const double left_rad =
-      std::fmod(bearing(centre, rest.front()) - from_rad + 4.0 * M_PI, 2.0 * M_PI);
-  const double right_rad = left_rad - 2.0 * M_PI;
-  const bool leftIsShorter = left_rad < M_PI;
-  for (const double turn_rad :
-       {leftIsShorter ? left_rad : right_rad, leftIsShorter ? right_rad : left_rad}) {
+  const double shorter_rad = mrpt::math::wrapToPi(bearing(centre, rest.front()) - from_rad);
+  const double longer_rad = shorter_rad - std::copysign(2.0 * M_PI, shorter_rad);
+  for (const double turn_rad : {shorter_rad, longer_rad}) {
     Way way = alongCircle(centre, cornerRadius_m, from_rad, turn_rad);
     way.insert(way.begin(), path.front());
     if (!isFree(way, walker, solids)) continue;
