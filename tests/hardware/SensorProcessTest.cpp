@@ -93,6 +93,15 @@ TEST(SensorProcess, AProgramThatWritesNonsenseIsEndedAndStartedAgain) {
   EXPECT_EQ(::waitpid(-1, nullptr, WNOHANG), -1);  // none is left
 }
 
+/** Its section is longer than a pipe holds, so that it surely ends before it could be given all. */
+TEST(SensorProcess, AProgramThatEndsBeforeItReadsItsSectionIsHeard) {
+  auto other = options();
+  other.program = "/bin/echo";
+  SensorProcess process("front", {{"long", std::string(1 << 20, 'x')}}, other);
+  EXPECT_TRUE(waitUntil(5.0, [&] { return process.status().starts > 1; }));
+  EXPECT_THAT(process.status().trouble, HasSubstr("makes no sense"));
+}
+
 /** The driver itself never finds out that a laser was silent from the start. */
 TEST(SensorProcess, ASilentDriverIsStartedAgain) {
   Laser laser;

@@ -11,6 +11,7 @@
 #include <csignal>
 #include <cstring>
 #include <stdexcept>
+#include <tuple>
 
 extern char** environ;
 
@@ -70,13 +71,12 @@ DriverProcess::DriverProcess(const std::string& program, const std::string& sect
   const int problem = spawn(process_, program, section, in[0], out[1], logFile);
   ::close(in[0]);
   ::close(out[1]);
-  // It is short and fits into the pipe.
-  const bool written =
-      problem == 0 && ::write(in[1], ini.data(), ini.size()) == static_cast<ssize_t>(ini.size());
-  ::close(in[1]);
   messages_ = out[0];
-  if (written) return;
-  if (problem != 0) process_ = -1;
+  // One that ends before it has read all says by its messages and its end why.
+  if (problem == 0) std::ignore = ::write(in[1], ini.data(), ini.size());
+  ::close(in[1]);
+  if (problem == 0) return;
+  process_ = -1;
   end();
   throw std::runtime_error("cannot start " + program + ": " + std::strerror(problem));
 }
