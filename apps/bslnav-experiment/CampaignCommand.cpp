@@ -45,6 +45,7 @@ void report(const CampaignOptions& options, const std::vector<std::string>& left
 
 /** This process's share of the runs. */
 void run(const CampaignOptions& options, const Campaign& campaign, const Ranks& ranks) {
+  listenForInterrupts();
   const std::string& out = options.common.out;
   if (ranks.rank() == 0) {
     makeDirectory(out);
@@ -52,7 +53,6 @@ void run(const CampaignOptions& options, const Campaign& campaign, const Ranks& 
   }
   ranks.wait();
   RowFile rows(shardFile(out, ranks.rank(), ranks.size()));
-  listenForInterrupts();
   const bool quiet = options.common.quiet || ranks.rank() != 0;
   runShard(
       campaign, {ranks.rank(), ranks.size()}, rows.rows(), options.jobs,

@@ -37,9 +37,9 @@ int compare(const ExperimentOptions& options) {
   std::vector<ExperimentCase> cases;
   std::vector<std::string> names;
   for (const auto& file : files) addCases(file, options, cases, names);
+  listenForInterrupts();
   makeDirectory(options.common.out);
 
-  listenForInterrupts();
   NavigatorTable table;
   std::size_t i = 0;  // results come seed by seed, the cases of a seed in order
   for (const ExperimentResult& result :

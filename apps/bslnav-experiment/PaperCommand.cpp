@@ -55,13 +55,13 @@ void saveFigures(const std::vector<NominalRun>& nominal, const std::string& dire
 int reproduce(const ExperimentOptions& options, const std::vector<std::string>& names) {
   const CommonOptions& common = options.common;
   const std::vector<ExperimentCase> cases = loadCases(options, names);
+  listenForInterrupts();
   makeDirectory(common.out);
   for (const ExperimentCase& entry : cases)
     writeFile(
         common.out + "/config-" + entry.name + "-method" + std::to_string(entry.method) + ".ini",
         entry.configuration);
 
-  listenForInterrupts();
   const auto nominal =
       runNominal(cases, common.seed, options.jobs, watchWork("nominal runs", common.quiet));
   const auto seeds = runAll(cases, options.seeds(), options.jobs, watchWork("seeds", common.quiet));

@@ -19,12 +19,12 @@ int compare(const ExperimentOptions& options) {
   options.check();
   std::vector<ExperimentCase> cases;
   for (const int method : options.methods) cases.push_back(loadCase("", common, method));
+  listenForInterrupts();
   makeDirectory(common.out);
   for (const ExperimentCase& entry : cases)
     writeFile(common.out + "/config-method" + std::to_string(entry.method) + ".ini",
               entry.configuration);
 
-  listenForInterrupts();
   SeedTable table{cases.front().setup.scenario.name, {}};
   for (ExperimentResult& result :
        runAll(cases, options.seeds(), options.jobs, watchWork("runs", common.quiet)))

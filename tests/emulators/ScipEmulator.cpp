@@ -89,7 +89,9 @@ void ScipEmulator::run() {
     std::string packet;
     // Turns that a loaded machine came too late for are gone: the mirror does not wait.
     for (; next <= Clock::now().time_since_epoch(); next += period) packet = nextPacket();
-    if (!packet.empty()) line_.write(packet, kWriteTimeout_s);
+    if (packet.empty()) continue;
+    damage(packet);
+    line_.write(packet, kWriteTimeout_s);
   }
 }
 
@@ -115,11 +117,11 @@ std::string ScipEmulator::nextPacket() {
   if (packet.empty() || silent_) return {};
   if (frozen_ == Frozen::Packet && !lastPacket_.empty()) packet = lastPacket_;
   lastPacket_ = packet;
-  damage(packet);
   return packet;
 }
 
 void ScipEmulator::damage(std::string& packet) {
+  const std::lock_guard lock(mutex_);
   if (garbledShare_ > 0.0) {
     std::bernoulli_distribution hit(garbledShare_);
     std::uniform_int_distribution<int> character(0x30, 0x6f);

@@ -15,7 +15,7 @@ using testing::HasSubstr;
 const PointCloud kPoints{{1.0f, -2.0f, 0.5f}, {3.25f, 0.0f, 1.0f}};
 
 std::string saved(CloudFormat format, const std::vector<int>& labels = {}) {
-  const auto stem = (std::filesystem::temp_directory_path() / "bslnav_cloud_test").string();
+  const auto stem = testing::TempDir() + "bslnav_cloud_test";
   const std::string path = saveCloud(stem, format, kPoints, labels);
   std::ostringstream text;
   text << std::ifstream(path).rdbuf();

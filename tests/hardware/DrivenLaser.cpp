@@ -20,6 +20,20 @@ double since_s(Clock::time_point start) {
 
 DrivenLaser::DrivenLaser(const std::string& port, const std::string& options) {
   mrpt::hwdrivers::registerAllClasses_mrpt_hwdrivers();
+  for (int k = 0; k < 3; ++k) {  // a busy machine may not answer in time
+    start(port, options);
+    if (driver_->getState() != CGenericSensor::ssError) break;
+  }
+  // Not before: it sets the laser up twice, and takes a line of the first scan that happens to end
+  // in "QT" for the answer to its own QT.
+  driver_->logRegisterCallback([this](std::string_view text, mrpt::system::VerbosityLevel level,
+                                      std::string_view, mrpt::Clock::time_point) {
+    if (level >= mrpt::system::LVL_WARN) complaints_ += std::string(text) + '\n';
+  });
+}
+
+void DrivenLaser::start(const std::string& port, const std::string& options) {
+  driver_.reset();  // the port is the next one's
   driver_ = std::dynamic_pointer_cast<C2DRangeFinderAbstract>(
       CGenericSensor::createSensorPtr("CHokuyoURG"));
   if (!driver_) throw std::runtime_error("this MRPT has no CHokuyoURG");
@@ -32,17 +46,11 @@ DrivenLaser::DrivenLaser(const std::string& port, const std::string& options) {
       "pose_x = 0.21\npose_y = 0\npose_z = 0.34\n"
       "pose_yaw = 90\npose_pitch = 0\npose_roll = 0\n"
       // The driver waits so long after each answer for more to come.
-      "comms_timeout_ms = 20\n"
+      "comms_timeout_ms = 50\n"
       "COM_port_LIN = " +
       port + '\n' + options);
   driver_->loadConfig(config, "LASER");
   driver_->initialize();
-  // Not before: it sets the laser up twice, and takes a line of the first scan that happens to end
-  // in "QT" for the answer to its own QT.
-  driver_->logRegisterCallback([this](std::string_view text, mrpt::system::VerbosityLevel level,
-                                      std::string_view, mrpt::Clock::time_point) {
-    if (level >= mrpt::system::LVL_WARN) complaints_ += std::string(text) + '\n';
-  });
 }
 
 std::vector<DrivenLaser::Scan> DrivenLaser::work() {

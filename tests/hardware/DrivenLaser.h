@@ -33,6 +33,7 @@ class DrivenLaser {
   const std::string& complaints() const { return complaints_; }
 
  private:
+  void start(const std::string& port, const std::string& options);
   std::vector<Scan> work();
 
   std::string complaints_;

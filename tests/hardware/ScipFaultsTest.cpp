@@ -22,7 +22,7 @@ bool allAt(const DrivenLaser::Scan& scan, float range_m) {
 }
 
 /** Faster than any real one, for short tests: at 12.5 ms a scan comes well within the driver's
- * timeout of 20 ms. If none did, the driver would give up again as soon as it has reconnected. */
+ * timeout of 50 ms. If none did, the driver would give up again as soon as it has reconnected. */
 ScipModel fast() {
   ScipModel model;
   model.speed_rpm = 4800;

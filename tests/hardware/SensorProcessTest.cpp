@@ -49,7 +49,7 @@ TEST(SensorProcess, DeliversWhatTheDriverObserves) {
   const Laser laser;
   SensorProcess process("front", hokuyoAt(laser.path()), options());
   std::vector<mrpt::obs::CObservation::Ptr> got;
-  ASSERT_TRUE(waitUntil(10.0, [&] { return !(got = process.take()).empty(); }));
+  ASSERT_TRUE(waitUntil(30.0, [&] { return !(got = process.take()).empty(); }));
   EXPECT_EQ(got[0]->sensorLabel, "front");
   const auto& scan = dynamic_cast<const mrpt::obs::CObservation2DRangeScan&>(*got[0]);
   EXPECT_NEAR(scan.getScanRange(300), 2.0f, 1e-3f);
@@ -60,16 +60,16 @@ TEST(SensorProcess, DeliversWhatTheDriverObserves) {
 TEST(SensorProcess, TellsWhatTheDriverComplainsOf) {
   SensorProcess unknown("front", {{"driver", "CNoSuchLaser"}}, options());
   SensorProcess absent("back", hokuyoAt("/dev/no_such_port"), options());
-  EXPECT_TRUE(waitUntil(5.0, [&] { return unknown.status().starts > 1; }));
+  EXPECT_TRUE(waitUntil(30.0, [&] { return unknown.status().starts > 1; }));
   EXPECT_THAT(unknown.status().trouble, HasSubstr("no driver 'CNoSuchLaser'"));
-  EXPECT_TRUE(waitUntil(5.0, [&] { return absent.status().starts > 1; }));
+  EXPECT_TRUE(waitUntil(30.0, [&] { return absent.status().starts > 1; }));
   EXPECT_THAT(absent.status().trouble, HasSubstr("/dev/no_such_port"));
 }
 
 /** MRPT's OpenNI2 driver aborts its process where there is no camera. */
 TEST(SensorProcess, ADriverThatCrashesTakesNobodyWithIt) {
   SensorProcess process("depth", {{"driver", "COpenNI2Sensor"}}, options());
-  EXPECT_TRUE(waitUntil(10.0, [&] { return process.status().starts > 1; }));
+  EXPECT_TRUE(waitUntil(30.0, [&] { return process.status().starts > 1; }));
   EXPECT_NE(process.status().trouble, "");
   EXPECT_TRUE(process.take().empty());
 }
@@ -78,7 +78,7 @@ TEST(SensorProcess, AProgramThatIsNotThereIsTrouble) {
   auto missing = options();
   missing.program = "/no/such/bslnav-sensor";
   SensorProcess process("front", hokuyoAt("/dev/null"), missing);
-  EXPECT_TRUE(waitUntil(5.0, [&] { return !process.status().trouble.empty(); }));
+  EXPECT_TRUE(waitUntil(30.0, [&] { return !process.status().trouble.empty(); }));
   EXPECT_THAT(process.status().trouble, HasSubstr("/no/such/bslnav-sensor"));
 }
 
@@ -87,7 +87,7 @@ TEST(SensorProcess, AProgramThatWritesNonsenseIsEndedAndStartedAgain) {
   other.program = "/bin/echo";
   {
     SensorProcess process("front", {}, other);
-    EXPECT_TRUE(waitUntil(5.0, [&] { return process.status().starts > 1; }));
+    EXPECT_TRUE(waitUntil(30.0, [&] { return process.status().starts > 1; }));
     EXPECT_THAT(process.status().trouble, HasSubstr("makes no sense"));
   }
   EXPECT_EQ(::waitpid(-1, nullptr, WNOHANG), -1);  // none is left
@@ -98,20 +98,29 @@ TEST(SensorProcess, AProgramThatEndsBeforeItReadsItsSectionIsHeard) {
   auto other = options();
   other.program = "/bin/echo";
   SensorProcess process("front", {{"long", std::string(1 << 20, 'x')}}, other);
-  EXPECT_TRUE(waitUntil(5.0, [&] { return process.status().starts > 1; }));
+  EXPECT_TRUE(waitUntil(30.0, [&] { return process.status().starts > 1; }));
   EXPECT_THAT(process.status().trouble, HasSubstr("makes no sense"));
 }
 
-/** The driver itself never finds out that a laser was silent from the start. */
-TEST(SensorProcess, ASilentDriverIsStartedAgain) {
+/** MRPT's driver never finds out by itself that a laser was silent from the start. */
+TEST(SensorProcess, ALaserThatIsSilentFromTheStartIsTrouble) {
   Laser laser;
-  auto impatient = options();
-  impatient.silence_s = 3.0;
   laser.goSilent(true);
-  SensorProcess process("front", hokuyoAt(laser.path()), impatient);
-  ASSERT_TRUE(waitUntil(15.0, [&] { return process.status().starts > 1; }));
+  SensorProcess process("front", hokuyoAt(laser.path()), options());
+  ASSERT_TRUE(waitUntil(30.0, [&] { return process.status().starts > 1; }));
+  EXPECT_THAT(process.status().trouble, HasSubstr("does not answer when it is set up"));
   laser.goSilent(false);
-  EXPECT_TRUE(waitUntil(15.0, [&] { return !process.take().empty(); }));
+  EXPECT_TRUE(waitUntil(30.0, [&] { return !process.take().empty(); }));
+}
+
+/** It needs 2 s from its start to the first scan: 0.4 s are enough after some starts in vain. */
+TEST(SensorProcess, ASlowDriverIsGivenMoreTimeEachTime) {
+  const Laser laser;
+  auto impatient = options();
+  impatient.silence_s = 0.4;
+  SensorProcess process("front", hokuyoAt(laser.path()), impatient);
+  EXPECT_TRUE(waitUntil(30.0, [&] { return !process.take().empty(); }));
+  EXPECT_GT(process.status().starts, 1);
 }
 
 TEST(Sensors, PutTheNewestOfEachIntoAFrameAndReport) {
@@ -127,12 +136,12 @@ TEST(Sensors, PutTheNewestOfEachIntoAFrameAndReport) {
     sensors.collect(frame);
     return !frame.scans.empty();
   };
-  for (int k = 0; k < 5; ++k) ASSERT_TRUE(waitUntil(10.0, collects));
+  for (int k = 0; k < 30; ++k) ASSERT_TRUE(waitUntil(30.0, collects));
   EXPECT_EQ(frame.scans.size(), 1u);
   const auto report = sensors.reports().at(0);
   EXPECT_EQ(report.name, "front");
   EXPECT_EQ(report.driver, "CHokuyoURG");
-  EXPECT_GE(report.frames, 5);
+  EXPECT_GE(report.frames, 30);
   EXPECT_GT(report.rate_hz, 3.0);
   EXPECT_LT(report.rate_hz, 15.0);
   EXPECT_EQ(report.trouble, "");
@@ -144,7 +153,7 @@ TEST(Sensors, RefuseAFrozenLaser) {
   Sensors sensors({{"front", hokuyoAt(laser.path())}}, {}, BSLNAV_SENSOR_PROGRAM, "");
   SensorFrame frame;
   const double start_s = mrpt::Clock::nowDouble();
-  EXPECT_TRUE(waitUntil(15.0, [&] {
+  EXPECT_TRUE(waitUntil(30.0, [&] {
     frame.startTime_s = start_s;
     frame.time_s = mrpt::Clock::nowDouble() - start_s;
     sensors.collect(frame);
@@ -158,7 +167,7 @@ TEST(Sensors, RefuseAFrozenLaser) {
 TEST(Sensors, StartADriverAgainOfWhichAllIsRefused) {
   Laser laser;
   SensorsParameters parameters;
-  parameters.silence_s = 3.0;  // it takes the driver 2 s to start
+  parameters.silence_s = 6.0;  // it takes the driver 2 s to start
   Sensors sensors({{"front", hokuyoAt(laser.path())}}, parameters, BSLNAV_SENSOR_PROGRAM, "");
   SensorFrame frame;
   const double start_s = mrpt::Clock::nowDouble();
@@ -168,12 +177,12 @@ TEST(Sensors, StartADriverAgainOfWhichAllIsRefused) {
     sensors.collect(frame);
     return sensors.reports().at(0);
   };
-  ASSERT_TRUE(waitUntil(10.0, [&] { return collect().refused > 0; }));  // it repeats one scan
+  ASSERT_TRUE(waitUntil(30.0, [&] { return collect().refused > 0; }));  // it repeats one scan
   EXPECT_EQ(collect().starts, 1);
-  ASSERT_TRUE(waitUntil(10.0, [&] { return collect().starts > 1; }));
+  ASSERT_TRUE(waitUntil(30.0, [&] { return collect().starts > 1; }));
   const int frames = collect().frames;
   float range_m = 2.0f;
-  EXPECT_TRUE(waitUntil(10.0, [&] {
+  EXPECT_TRUE(waitUntil(30.0, [&] {
     const auto beams = static_cast<std::size_t>(laser.model().beams());
     laser.setRanges(std::vector<float>(beams, range_m += 0.001f));
     return collect().frames > frames + 3;

@@ -26,7 +26,7 @@ TEST(Watchdog, StopsTheBaseOfALoopThatStalls) {
   test::RecordingBase base;
   Watchdog watchdog(base, {0.1, 5.0, 5.0});
   base.drive({0.5, 0.0, 0.0});
-  sleepFor(0.4);
+  sleepFor(1.0);
   EXPECT_EQ(base.command().vx, 0.0);
   EXPECT_EQ(watchdog.tripped(), "the control loop");
   EXPECT_EQ(watchdog.tripped(), "");  // told once
@@ -36,9 +36,9 @@ TEST(Watchdog, StopsTheBaseOfALoopThatStalls) {
 TEST(Watchdog, ACommandThatComesWhileSomethingIsLateDoesNotLast) {
   test::RecordingBase base;
   Watchdog watchdog(base, {5.0, 0.1, 5.0});
-  sleepFor(0.4);
+  sleepFor(1.0);
   base.drive({0.5, 0.0, 0.0});
-  sleepFor(0.3);
+  sleepFor(1.0);
   EXPECT_EQ(base.command().vx, 0.0);
   EXPECT_EQ(watchdog.tripped(), "a sensor");
 }
@@ -46,11 +46,11 @@ TEST(Watchdog, ACommandThatComesWhileSomethingIsLateDoesNotLast) {
 TEST(Watchdog, LetsGoOnWhenItIsHeardAgain) {
   test::RecordingBase base;
   Watchdog watchdog(base, {5.0, 5.0, 0.2});
-  sleepFor(0.5);
+  sleepFor(1.0);
   EXPECT_EQ(watchdog.tripped(), "the pose");
   for (int k = 0; k < 10; ++k) {
     watchdog.heard(Source::Pose);
-    if (k == 2) base.drive({0.5, 0.0, 0.0});
+    base.drive({0.5, 0.0, 0.0});
     sleepFor(0.02);
   }
   EXPECT_EQ(base.command().vx, 0.5);

@@ -73,7 +73,7 @@ TEST_F(ReactivePlannerTest, BrakesWhenThereIsNoWay) {
 }
 
 TEST_F(ReactivePlannerTest, WritesALogThatMrptReadsWithAScoreForEveryPath) {
-  const auto directory = std::filesystem::temp_directory_path() / "bslnav_reactive_planner_test";
+  const auto directory = std::filesystem::path(testing::TempDir()) / "bslnav_reactive_planner_test";
   std::filesystem::remove_all(directory);
   std::filesystem::create_directories(directory);
   parameters.navlog = directory.string();

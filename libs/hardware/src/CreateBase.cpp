@@ -56,14 +56,14 @@ void CreateBase::open() {
 
 void CreateBase::waitForFrame() {
   const auto until = Clock::now() + kFirstFrame;
-  while (state_.stamp_s == 0.0) {
-    if (Clock::now() > until)
-      throw Error(parameters_.port,
-                  "no robot answers: expected a Create 2 or Roomba, switched on, at " +
-                      std::to_string(parameters_.baud) + " baud",
-                  Error::Kind::Run);
+  do {
     receive();
-  }
+    if (state_.stamp_s != 0.0) return;
+  } while (Clock::now() < until);
+  throw Error(parameters_.port,
+              "no robot answers: expected a Create 2 or Roomba, switched on, at " +
+                  std::to_string(parameters_.baud) + " baud",
+              Error::Kind::Run);
 }
 
 BaseState CreateBase::state() {

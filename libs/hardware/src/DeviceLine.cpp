@@ -19,11 +19,14 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int kBroken = POLLERR | POLLHUP | POLLNVAL;
 
-/** What happened to a file; 0: nothing within the time. */
+/** What happened to a file; 0: nothing within the time. A signal begins the wait anew. */
 int waitFor(int file, short events, double timeout_s) {
   pollfd waited{file, events, 0};
   const auto timeout_ms = static_cast<int>(std::ceil(1e3 * std::max(timeout_s, 0.0)));
-  return ::poll(&waited, 1, timeout_ms) > 0 ? waited.revents : 0;
+  int count = -1;
+  do count = ::poll(&waited, 1, timeout_ms);
+  while (count < 0 && errno == EINTR);
+  return count > 0 ? waited.revents : 0;
 }
 
 bool mayTryAgain(int error) { return error == EAGAIN || error == EWOULDBLOCK || error == EINTR; }
@@ -45,16 +48,16 @@ std::string DeviceLine::read(double timeout_s) {
 std::size_t DeviceLine::write(std::string_view bytes, double timeout_s) {
   const auto until = Clock::now() + std::chrono::duration<double>(timeout_s);
   std::size_t written = 0;
-  while (written < bytes.size()) {
+  do {  // once at least: a busy machine may have used up the time
     const double left_s = std::chrono::duration<double>(until - Clock::now()).count();
-    if (left_s <= 0.0 || waitFor(file(), POLLOUT, left_s) == 0) break;
+    if (waitFor(file(), POLLOUT, left_s) == 0) break;
     const char* rest = bytes.data() + written;
     const auto count =
         isSocket() ? ::send(file(), rest, bytes.size() - written, MSG_DONTWAIT | MSG_NOSIGNAL)
                    : ::write(file(), rest, bytes.size() - written);
     if (count < 0 && !mayTryAgain(errno)) gone(errno);
     if (count > 0) written += static_cast<std::size_t>(count);
-  }
+  } while (written < bytes.size() && Clock::now() < until);
   return written;
 }
 

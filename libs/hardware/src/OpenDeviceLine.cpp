@@ -15,6 +15,7 @@ namespace bslnav {
 namespace {
 
 constexpr unsigned kConnect_ms = 1000;
+constexpr auto kDrain = std::chrono::milliseconds(100);
 
 class SerialLine final : public DeviceLine, private mrpt::comms::CSerialPort {
  public:
@@ -26,8 +27,10 @@ class SerialLine final : public DeviceLine, private mrpt::comms::CSerialPort {
   /** The kernel waits half a minute for a device that does not take what is left, so that is
    * dropped after a while. */
   ~SerialLine() override {
+    const auto until = std::chrono::steady_clock::now() + kDrain;
     int left = 0;
-    for (int i = 0; i < 100 && ::ioctl(hCOM, TIOCOUTQ, &left) == 0 && left > 0; ++i)
+    while (::ioctl(hCOM, TIOCOUTQ, &left) == 0 && left > 0 &&
+           std::chrono::steady_clock::now() < until)
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     if (left > 0) ::tcflush(hCOM, TCOFLUSH);
   }

@@ -41,6 +41,9 @@ CGenericSensor::Ptr makeSensor(const mrpt::config::CConfigFileBase& config,
   sensor->setSensorLabel(section);  // unless the section says otherwise
   sensor->loadConfig(config, section);
   sensor->initialize();
+  // Some would go on as if they worked, and never deliver.
+  if (sensor->getState() == CGenericSensor::ssError)
+    throw std::runtime_error("the device does not answer when it is set up");
   return sensor;
 }
 

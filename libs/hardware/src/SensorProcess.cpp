@@ -1,6 +1,7 @@
 #include <bslnav/hardware/SensorProcess.h>
 #include <pthread.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <sstream>
@@ -15,6 +16,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double kRead_s = 0.05;        // so long an end may take to be noticed
 constexpr std::size_t kMostKept = 200;  // observations that nobody takes
+constexpr double kMostPatience = 8.0;   // times the configured silence
 
 std::string iniOf(const std::string& name, const Config::FreeSection& section) {
   std::ostringstream text;
@@ -67,11 +69,13 @@ void SensorProcess::supervise() {
   sigemptyset(&pipe);
   sigaddset(&pipe, SIGPIPE);
   ::pthread_sigmask(SIG_BLOCK, &pipe, nullptr);
+  double patience = 1.0;
   do {
     std::string trouble;
+    const int before = status().observations;
     try {
       DriverProcess driver(options_.program, name_, ini_, options_.logFile);
-      trouble = listen(driver);
+      trouble = listen(driver, patience * options_.silence_s);
       const std::string end = driver.end();
       if (trouble.empty()) trouble = end;
     } catch (const std::exception& problem) {
@@ -80,12 +84,15 @@ void SensorProcess::supervise() {
     const std::lock_guard<std::mutex> lock(mutex_);
     status_.trouble = trouble;
     status_.process = -1;
+    const bool inVain = status_.observations == before;
+    patience = inVain ? std::min(2.0 * patience, kMostPatience) : 1.0;
   } while (!waitOrEnd(options_.again_s));
 }
 
 /** Until the driver's process ends, is silent for too long, or is to end; returns what was the
- * trouble, empty when the process says more by how it ends. */
-std::string SensorProcess::listen(const DriverProcess& driver) {
+ * trouble, empty when the process says more by how it ends.
+ * @param silence_s so long it may take to deliver first */
+std::string SensorProcess::listen(const DriverProcess& driver, double silence_s) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     ++status_.starts;
@@ -100,12 +107,14 @@ std::string SensorProcess::listen(const DriverProcess& driver) {
     reader.add(bytes->data(), bytes->size());
     while (const auto message = reader.next()) {
       accept(*message);
-      if (message->kind == SensorMessage::Kind::Trouble)
+      if (message->kind == SensorMessage::Kind::Trouble) {
         trouble = message->bytes;
-      else
+      } else {
         heard = Clock::now();
+        silence_s = options_.silence_s;
+      }
     }
-    if (std::chrono::duration<double>(Clock::now() - heard).count() > options_.silence_s)
+    if (std::chrono::duration<double>(Clock::now() - heard).count() > silence_s)
       return trouble.empty() ? "the driver delivers nothing" : trouble;
     const std::lock_guard<std::mutex> lock(mutex_);
     if (toEnd_) return *toEnd_;

@@ -24,7 +24,8 @@ class SensorProcess {
     std::string program;     ///< bslnav-sensor
     std::string logFile;     ///< gets what the driver prints; empty: nobody does
     double again_s = 1.0;    ///< from an end to the next start
-    double silence_s = 5.0;  ///< a driver that delivers nothing for so long is started again
+    double silence_s = 5.0;  ///< a driver that delivers nothing for so long is started again; up
+                             ///< to eight times as long, twice as long after each start in vain
   };
   struct Status {
     int starts = 0, observations = 0;
@@ -49,7 +50,7 @@ class SensorProcess {
 
  private:
   void supervise();
-  std::string listen(const DriverProcess& driver);
+  std::string listen(const DriverProcess& driver, double silence_s);
   void accept(const SensorMessage& message);
   bool waitOrEnd(double time_s);
 
