@@ -184,6 +184,30 @@ TEST(HiddenPeople, WalkAtTheirSpeed) {
   EXPECT_GE(reached_s, distance / kWalk_mps - 0.15);
 }
 
+/** In all directions alike: into a round room that was seen empty, from all around. Eight
+ * directions are 8 % ahead at most, and a cell more. */
+TEST(HiddenPeople, WalkAsFastInAllDirections) {
+  HiddenPeopleParameters parameters;
+  parameters.outsideView = HiddenPeopleParameters::OutsideView::Remembered;
+  parameters.reach_m = 8.0;
+  constexpr double kRoom_m = 7.0, kWalked_m = 6.0;
+  const PlanarScan room = around([](double) { return kRoom_m; });
+  const PlanarScan blind = around([](double) { return 0.3; });
+  HiddenPeople hidden = people(parameters);
+  hidden.update({&room}, 0.0, {}, kWalk_mps);
+  for (int k = 1; k <= 60; ++k) hidden.update({&blind}, 0.1 * k, {}, kWalk_mps);
+  const CostGrid& grid = hidden.possible();
+  for (double angle = 0.0; angle < 2.0 * M_PI; angle += M_PI / 64.0) {
+    double reached_m = 0.35;  // outside what is seen now
+    const auto possibleAt = [&](double range_m) {
+      return grid.at(grid.cellX(range_m * std::cos(angle)), grid.cellY(range_m * std::sin(angle)));
+    };
+    while (possibleAt(reached_m) == 0) reached_m += 0.01;
+    EXPECT_LE(reached_m, kRoom_m - kWalked_m + parameters.resolution_m) << angle;
+    EXPECT_GE(reached_m, kRoom_m - 1.083 * kWalked_m - parameters.resolution_m) << angle;
+  }
+}
+
 /** In what the map calls occupied stands nobody. */
 TEST(HiddenPeople, NobodyIsInsideWalls) {
   auto map = std::make_shared<mrpt::maps::COccupancyGridMap2D>(-6.0f, 6.0f, -6.0f, 6.0f, 0.05f);

@@ -98,6 +98,23 @@ TEST(SeenObstacles, WhoeverIsBehindAWallHasNotComeThroughItBesideAnObstacle) {
   EXPECT_TRUE(isSomebody(1.2, false));
 }
 
+/** The far end of the side of a box, which stands at a wall: a single beam meets it first, 0.5 m
+ * from the front. */
+TEST(SeenObstacles, TheFarEndOfASideIsOfTheSameBox) {
+  const PlanarScan front = wallAt(1.0, 0.2), side = discAt(1.55, 0.3, 0.05);
+  CostGrid wall = freeMap();
+  for (int y = 0; y < wall.height(); ++y) wall.at(wall.cellX(1.65), y) = 255;
+  const auto isSomebody = [&](double reached_m) {
+    Seen people(freeMap(), wall);
+    people.reachedOnlyAt(reached_m, 0.3);
+    people.update({{&front}, {}, {}}, 0.0);
+    people.update({{&side}, {}, {}}, 0.1);
+    return !people.frontier().empty();
+  };
+  EXPECT_FALSE(isSomebody(1.75));  // in the next room
+  EXPECT_TRUE(isSomebody(1.3));
+}
+
 /** A strip of something beside a nearer pole: a person goes on behind that, or past the view. */
 TEST(SeenObstacles, WhatIsCoveredIsOneWhereNobodyCanBeBehindIt) {
   const PlanarScan scan = nearerOf(discAt(2.0, 0.3, 0.15), discAt(1.0, 0.08, 0.05));

@@ -10,7 +10,8 @@ namespace {
 
 using mrpt::math::TPoint2D;
 
-constexpr double kDeepest_m = 1.0;  // so far a thing goes on behind what a laser meets of it
+constexpr double kDeepest_m = 1.0;        // so far a thing goes on behind what a laser meets of it
+constexpr double kSquareSteps = 0.41422;  // √2 − 1: the share with which diagonals keep up
 
 }  // namespace
 
@@ -104,7 +105,7 @@ void HiddenPeople::findFrontier(const std::vector<TPoint2D>& bodies) {
 
 /** People walk on, through everything but walls and obstacles, and may come in at the edge of the
  * grid. Cells are taken before they are reached, never after; steps along four and eight neighbours
- * take turns, whose octagon holds the circle. */
+ * are mixed to the regular octagon, the smallest that holds the circle. */
 void HiddenPeople::grow(double distance_m) {
   blockedBits_.assign(seen_.surfaces());
   blockedBits_.add(map_.wallBits());
@@ -120,12 +121,14 @@ void HiddenPeople::grow(double distance_m) {
   // Farther than the window is wide, everything is reached.
   const double most_m = possible_.width() * parameters_.resolution_m;
   for (owed_m_ = std::min(owed_m_, most_m); owed_m_ > 0.0; owed_m_ -= parameters_.resolution_m) {
-    if (square_)
+    squaresOwed_ += kSquareSteps;
+    if (squaresOwed_ > 0.0) {
       possibleBits_.growSquare();
-    else
+      squaresOwed_ -= 1.0;
+    } else {
       possibleBits_.growCross();
+    }
     possibleBits_.remove(blockedBits_);
-    square_ = !square_;
   }
   possibleBits_.remove(blockedBits_);
   possibleBits_.copyTo(possible_);

@@ -10,7 +10,7 @@ namespace {
 using mrpt::math::TPoint2D;
 
 constexpr double kBeside_m = 0.65;   // so far from a hit somebody who is hidden matters for it
-constexpr double kObstacle_m = 0.4;  // so near to one are its other sides
+constexpr double kObstacle_m = 0.7;  // so near to one are its other sides
 constexpr double kWalker_m = 0.6;  // so near to the middle of a walker are two abreast, and a step
 constexpr float kSameSurface_m = 0.15f;  // neighbouring beams of a surface differ by no more
 constexpr double kStraight_m = 0.03;     // hits of something straight lie so near to a line

@@ -22,7 +22,8 @@ std::string valueOf(const Config::FreeSection& section, const std::string& key,
 void SensorsParameters::describe(ConfigSection& section) {
   stamps.describe(section);
   section.number("silence_s", silence_s, {0.5, 600.0}, "s",
-                 "a driver that delivers nothing usable for so long is started again");
+                 "a driver that delivers nothing usable for so long is started again, up to eight "
+                 "times as long where it has delivered nothing since its start");
 }
 
 std::string labelOf(const std::string& name, const Config::FreeSection& section) {

@@ -110,8 +110,8 @@ class HiddenPeople {
   ScanView view_;
   std::vector<ScanView> laserViews_;  // now
   mrpt::math::TPose2D mapFromRobot_;
-  double stamp_s_ = 0.0, owed_m_ = 0.0;  // growth that is still owed
-  bool started_ = false, square_ = false, hasBlindSide_ = false;
+  double stamp_s_ = 0.0, owed_m_ = 0.0, squaresOwed_ = 0.0;  // growth that is still owed
+  bool started_ = false, hasBlindSide_ = false;
   Frontier frontier_;
 };
 

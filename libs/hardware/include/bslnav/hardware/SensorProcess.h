@@ -24,8 +24,8 @@ class SensorProcess {
     std::string program;     ///< bslnav-sensor
     std::string logFile;     ///< gets what the driver prints; empty: nobody does
     double again_s = 1.0;    ///< from an end to the next start
-    double silence_s = 5.0;  ///< a driver that delivers nothing for so long is started again; up
-                             ///< to eight times as long, twice as long after each start in vain
+    double silence_s = 5.0;  ///< a driver that delivers nothing for so long is started again;
+                             ///< after each start in vain twice as long, up to eight times
   };
   struct Status {
     int starts = 0, observations = 0;
