@@ -1,3 +1,4 @@
+#include <bslnav/blindspot/HiddenPeople.h>
 #include <bslnav/campaign/Encounter.h>
 #include <bslnav/simulation/RobotBody.h>
 #include <bslnav/simulation/WorldShape.h>
@@ -93,6 +94,22 @@ TEST(Encounter, TheRobotStartsFreeOfPeopleAndItsGoalIsFree) {
     for (const auto& [name, person] : encounter.world.pedestrians)
       EXPECT_GT(body.clearanceTo(person.path_m.front(), person.radius_m), 0.3)
           << nameOf(encounter.family) << " " << number << " " << name;
+  }
+}
+
+/** The yardstick's people are as wide as the guard's, and to fear them takes time. */
+TEST(Encounter, TheYardstickOfAnOpeningFearsPeople) {
+  const StoppingAbility robot{0.25, 0.5, 0.2};
+  for (long number = 0; number < 10 * kFamilies; ++number) {
+    const Encounter encounter = makeEncounter({}, 1, number);
+    ASSERT_EQ(encounter.pass.has_value(), encounter.family == Family::OneSided);
+    if (!encounter.pass) continue;
+    const CornerPass& pass = *encounter.pass;
+    EXPECT_EQ(pass.personRadius_m, HiddenPeopleParameters().radius_m);
+    EXPECT_EQ(pass.goal_m, encounter.goals.back().x);
+    EXPECT_GT(*fastestPass_s(pass, robot, 0.5, 0.56, 1.6),
+              *fastestPass_s(pass, robot, 0.5, 0.56, 0.0) + 0.05)
+        << number;
   }
 }
 

@@ -34,12 +34,14 @@ void buildOneSided(EncounterBuilder& builder) {
   builder.encounter().goals = {{kGoal_m, 0.0, 0.0}};
   const Opening& opening = plan.rightOpenings.front();
   constexpr double kHalfWall_m = 0.05;  // walls are drawn by their middles
-  builder.encounter().pass = {plan.right_m - kHalfWall_m,
-                              plan.left_m - kHalfWall_m,
-                              opening.x_m - 0.5 * opening.width_m + kHalfWall_m,
-                              opening.x_m + 0.5 * opening.width_m - kHalfWall_m,
-                              opening.depth_m,
-                              kGoal_m};
+  CornerPass pass;
+  pass.right_m = plan.right_m - kHalfWall_m;
+  pass.left_m = plan.left_m - kHalfWall_m;
+  pass.openingFrom_m = opening.x_m - 0.5 * opening.width_m + kHalfWall_m;
+  pass.openingTo_m = opening.x_m + 0.5 * opening.width_m - kHalfWall_m;
+  pass.depth_m = opening.depth_m;
+  pass.goal_m = kGoal_m;
+  builder.encounter().pass = pass;
 }
 
 void buildTwoSided(EncounterBuilder& builder) {
