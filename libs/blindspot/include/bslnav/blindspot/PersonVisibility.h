@@ -18,8 +18,8 @@ struct PersonVisibilityParameters {
  *
  * A person is a column from the floor up to a height. Somebody at a distance is hidden only if
  * every pixel's ray that passes there between the floor and this height is blocked before; the
- * range of a beam is the largest distance at which somebody would be seen (DESIGN.md 4, "From
- * depth"). So a low table hides nobody, and what hangs above the view does not blind. A beam is a
+ * range of a beam is the largest distance at which somebody would be seen (share/doc/guard.md,
+ * step 1). So a low table hides nobody, and what hangs above the view does not blind. A beam is a
  * Hit where something ends the view, NoReturn where the rays run out: on the floor, above the head,
  * or at the camera's maximum range. A pixel without depth sees nobody, and no pixel counts without
  * the one above it. A camera that is not below the height of a person sees nobody either: it looks

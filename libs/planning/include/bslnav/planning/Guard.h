@@ -46,7 +46,7 @@ struct GuardVerdict {
 };
 inline constexpr double kGuardReach_m = 10.0;
 
-/** The guard's condition as it is written (DESIGN of the guard): the robot drives the command for
+/** The guard's condition as it is written (share/doc/guard.md): the robot drives the command for
  * the reaction time and then brakes along the same arc; at every time until it stands, every
  * frontier point must be farther from its centre than radius + v_h·t + margin. Who has stood for a
  * while is an obstacle for a robot that creeps, and binds none.
