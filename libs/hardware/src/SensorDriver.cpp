@@ -23,7 +23,8 @@ bool tell(int out, const std::string& trouble) {
 
 /** What went wrong, without where in MRPT. */
 std::string wordsOf(const std::exception& problem) {
-  const std::string all = mrpt::exception_to_str(problem), lead = "Message:";
+  std::string all = mrpt::exception_to_str(problem);
+  const std::string lead = "Message:";
   const auto found = all.find(lead);
   if (found == std::string::npos) return all;
   const auto from = all.find_first_not_of(' ', found + lead.size());

@@ -27,7 +27,7 @@ std::string iniOf(const std::string& name, const Config::FreeSection& section) {
 
 }  // namespace
 
-SensorProcess::SensorProcess(std::string name, Config::FreeSection section, Options options)
+SensorProcess::SensorProcess(std::string name, const Config::FreeSection& section, Options options)
     : name_(std::move(name)),
       ini_(iniOf(name_, section)),
       options_(std::move(options)),

@@ -35,7 +35,7 @@ class SensorProcess {
 
   /** @param section the driver's, in rawlog-grabber's format; its name is the sensor's label unless
    * it has `sensorLabel` */
-  SensorProcess(std::string name, Config::FreeSection section, Options options);
+  SensorProcess(std::string name, const Config::FreeSection& section, Options options);
   /** Ends the driver, the hard way if it does not end within half a second. */
   ~SensorProcess();
   SensorProcess(const SensorProcess&) = delete;
